@@ -1,0 +1,186 @@
+"""A stretch of whole lines and the tree of stretches. Immutable; never holds an absolute line or offset.
+
+The document is a B-tree of chunks of some 16 KB. Every node keeps how many line ends and
+characters it spans and, lazily, whatever is derived from its text alone. An edit makes new
+nodes on one path from leaf to root and shares the rest, so its cost does not grow with the
+file, and the sums of all untouched nodes stay known.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any
+
+from deburr_grammar.line import Shape, Shapes
+from deburr_grammar.text import line_starts, with_newlines
+
+SIZE = 16_384
+FANOUT = 24
+
+
+class Chunk:
+    """Whole lines of text. Only the last chunk of a document may have a tail behind its last line end."""
+
+    __slots__ = ("text", "table", "eols", "chars", "memo", "_starts", "_shapes", "_marks")
+
+    def __init__(
+        self, text: str, table: Shapes, starts: array[int] | None = None, shapes: list[Shape] | None = None
+    ) -> None:
+        self.text = text
+        self.table = table
+        self.chars = len(text)
+        self._starts = starts
+        self._shapes = shapes
+        self.eols = _count_ends(text) if starts is None else len(starts) - 1
+        self.memo: dict[Any, Any] = {}
+        """Room for what is derived from this chunk alone, under keys that name all else that went in."""
+        self._marks: tuple[bool, bool] | None = None
+
+    @property
+    def starts(self) -> array[int]:
+        """Offsets of the line starts; the last is that of the tail."""
+        if self._starts is None:
+            self._starts = line_starts(self.text)
+        return self._starts
+
+    def line(self, index: int) -> str:
+        """A line's text without its ending."""
+        starts = self.starts
+        if index + 1 < len(starts):
+            return self.text[starts[index] : starts[index + 1]].rstrip("\r\n")
+        return self.text[starts[index] :]
+
+    @property
+    def shapes(self) -> list[Shape]:
+        """The shape of every line, and of the tail if there is one."""
+        if self._shapes is None:
+            found = self.table.read(with_newlines(self.text))
+            if not self.text or self.text[-1] in "\r\n":
+                found.pop()
+            self._shapes = found
+        return self._shapes
+
+    @property
+    def known_shapes(self) -> list[Shape] | None:
+        """The shapes, if they have been asked for before."""
+        return self._shapes
+
+    @property
+    def marks(self) -> tuple[bool, bool]:
+        """Whether any line must be shown to the outline, and whether any asks how deep it stands."""
+        if self._marks is None:
+            distinct = set(self.shapes)
+            self._marks = any(shape.marked for shape in distinct), any(shape.needs_depth for shape in distinct)
+        return self._marks
+
+    @property
+    def needs_depth(self) -> bool:
+        """Whether any line asks how deep it stands."""
+        return self.marks[1]
+
+
+class Branch:
+    """Chunks or branches of equal height, in order."""
+
+    __slots__ = ("__dict__", "children", "chars", "eols", "memo")
+
+    def __init__(self, children: Sequence[Chunk] | Sequence[Branch]) -> None:
+        self.children: tuple[Chunk | Branch, ...] = tuple(children)
+        self.eols = sum(child.eols for child in self.children)
+        self.chars = sum(child.chars for child in self.children)
+        self.memo: dict[Any, Any] = {}
+
+    @cached_property
+    def chunks(self) -> int:
+        """How many chunks stand below."""
+        return sum(child.chunks if isinstance(child, Branch) else 1 for child in self.children)
+
+    @cached_property
+    def leaf(self) -> bool:
+        """Whether the children are chunks."""
+        return isinstance(self.children[0], Chunk)
+
+    @cached_property
+    def needs_depth(self) -> bool:
+        """Whether any line below asks how deep it stands."""
+        return any(child.needs_depth for child in self.children)
+
+
+def grown(nodes: list[Chunk] | list[Branch]) -> Branch:
+    """A tree over nodes of equal height."""
+    level: list[Any] = list(nodes)
+    while True:
+        level = [Branch(group) for group in _groups(level)]
+        if len(level) == 1:
+            return level[0]
+
+
+def chunk_at(root: Branch, index: int) -> Chunk:
+    """The chunk of that number."""
+    node: Chunk | Branch = root
+    while isinstance(node, Branch):
+        if node.leaf:
+            node = node.children[index]
+            continue
+        for child in node.children:
+            assert isinstance(child, Branch)
+            if index < child.chunks:
+                node = child
+                break
+            index -= child.chunks
+    return node
+
+
+def spliced(root: Branch, start: int, stop: int, new: list[Chunk]) -> Branch:
+    """The tree with the chunks from ``start`` up to ``stop`` replaced; at least one chunk must be left."""
+    branches = _spliced(root, start, stop, new)
+    while len(branches) == 1 and not branches[0].leaf and len(branches[0].children) == 1:
+        branches = [child for child in branches[0].children if isinstance(child, Branch)]
+    return branches[0] if len(branches) == 1 else grown(branches)
+
+
+def _spliced(node: Branch, start: int, stop: int, new: list[Chunk]) -> list[Branch]:
+    if node.leaf:
+        kept = [child for child in node.children if isinstance(child, Chunk)]
+        kept[start:stop] = new
+        return [Branch(group) for group in _groups(kept)]
+    children: list[Branch] = []
+    at = 0
+    placed = False
+    for child in node.children:
+        assert isinstance(child, Branch)
+        first, behind = at, at + child.chunks
+        at = behind
+        if behind <= start or (first >= stop and placed):
+            children.append(child)
+            continue
+        children += _spliced(child, max(start - first, 0), min(stop, behind) - first, [] if placed else new)
+        placed = True
+    return [Branch(group) for group in _groups(_merged(children))]
+
+
+def _merged(branches: list[Branch]) -> list[Branch]:
+    """Neighbours that are thin enough to stand in one branch do."""
+    merged: list[Branch] = []
+    for branch in branches:
+        if merged and len(merged[-1].children) + len(branch.children) <= FANOUT // 2:
+            merged[-1] = Branch(merged[-1].children + branch.children)  # type: ignore[arg-type]  # equal heights: both hold chunks or both branches
+        else:
+            merged.append(branch)
+    return merged
+
+
+def _groups(nodes: list[Any]) -> list[list[Any]]:
+    if not nodes:
+        return []
+    count = -(-len(nodes) // FANOUT)
+    size = -(-len(nodes) // count)
+    return [nodes[at : at + size] for at in range(0, len(nodes), size)]
+
+
+def _count_ends(text: str) -> int:
+    if "\r" not in text:
+        return text.count("\n")
+    return text.count("\n") + text.count("\r") - text.count("\r\n")

@@ -1,0 +1,90 @@
+"""The tables of a dialect: codes, words, functions, keywords, variables, with what hover says of each. Never interprets a line."""
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from importlib import resources
+from typing import Any
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One line of a table. ``first`` and ``last`` bound a family (`M100-M199`, `PAL[256..512]`), both included."""
+
+    table: str
+    name: str
+    title: str
+    text: str
+    first: int | None = None
+    last: int | None = None
+    more: Mapping[str, Any] = field(default_factory=dict)
+
+    def covers(self, number: int) -> bool:
+        """Whether a number lies in the family."""
+        return self.first is not None and self.last is not None and self.first <= number <= self.last
+
+
+class CodeTable:
+    """The tables of one dialect, read from its `codes.toml` and `variables.toml` when first asked."""
+
+    def __init__(self, package: str) -> None:
+        self._package = package
+
+    def table(self, name: str) -> tuple[Entry, ...]:
+        """All entries of a table: "code", "word", "function", "keyword", "variable", ..."""
+        return self._tables.get(name, ())
+
+    def entry(self, table: str, name: str) -> Entry | None:
+        """The entry of that name; names are compared without regard to case."""
+        return self._by_name.get((table, name.lower()))
+
+    def family(self, table: str, number: int) -> Entry | None:
+        """The narrowest family of a table that covers a number."""
+        found = [entry for entry in self.table(table) if entry.covers(number)]
+        return min(found, key=lambda entry: (entry.last or 0) - (entry.first or 0), default=None)
+
+    def __iter__(self) -> Iterator[Entry]:
+        return (entry for entries in self._tables.values() for entry in entries)
+
+    @cached_property
+    def _tables(self) -> dict[str, tuple[Entry, ...]]:
+        found: dict[str, tuple[Entry, ...]] = {}
+        for file in ("codes.toml", "variables.toml"):
+            for table, rows in tomllib.loads(_read(self._package, file)).items():
+                found[table] = found.get(table, ()) + tuple(_entry(table, row) for row in rows)
+        return found
+
+    @cached_property
+    def _by_name(self) -> dict[tuple[str, str], Entry]:
+        return {(entry.table, entry.name.lower()): entry for entry in self}
+
+
+def code_number(text: str) -> str:
+    """The canonical spelling of a code: `g01` is `G1`, `G 38.20` is `G38.2`."""
+    match = re.fullmatch(r"([A-Za-z]+)([0-9]*)\.?([0-9]*)", re.sub(r"[ \t]+", "", text))
+    if match is None:
+        return text.upper()
+    letter, whole, fraction = match.groups()
+    fraction = fraction.rstrip("0")
+    return letter.upper() + str(int(whole or "0")) + (f".{fraction}" if fraction else "")
+
+
+def _entry(table: str, row: dict[str, Any]) -> Entry:
+    name = next((str(row[key]) for key in ("name", "letter", "id") if key in row), f"{row.get('first')}-{row.get('last')}")
+    known = {"name", "title", "text", "first", "last"}
+    return Entry(
+        table,
+        name,
+        row.get("title", ""),
+        row.get("text", ""),
+        row.get("first"),
+        row.get("last"),
+        {key: value for key, value in row.items() if key not in known},
+    )
+
+
+def _read(package: str, file: str) -> str:
+    path = resources.files(package).joinpath(file)
+    return path.read_text(encoding="utf-8") if path.is_file() else ""

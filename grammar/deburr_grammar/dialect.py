@@ -1,0 +1,172 @@
+"""What a dialect is: a frozen value of choices. Nothing outside a dialect's own folders asks for its name.
+
+A dialect folder holds `line.lark` (the whole-line grammar), `codes.toml` and
+`variables.toml` (the tables), and an `__init__.py` whose `DIALECT` is the value.
+"""
+
+import re
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+
+from deburr_grammar.codes import CodeTable
+from deburr_grammar.grammar import Grammar
+from deburr_grammar.problem import Problem, SyntaxFault
+from deburr_grammar.shape import Folding
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from deburr_grammar.line import LineNode
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One way to read a line. ``start`` is a start rule of the grammar; None: the text is not read at all (never executed, or free text)."""
+
+    name: str
+    start: str | None
+
+
+class Role(Enum):
+    """What a bracket does to the structure of a program."""
+
+    OPEN = "opens a block"
+    CLOSE = "closes a block"
+    MIDDLE = "stands directly in a block"
+    REGION = "starts a region: blocks do not reach into or out of it"
+    END_REGION = "ends a region"
+
+
+@dataclass(frozen=True, slots=True)
+class Bracket:
+    """An opener, a closer or a boundary on a line.
+
+    ``kind`` is the kind of block or region ("if", "sub"), the same for all its brackets;
+    ``word`` is the canonical spelling of this one ("endif"); ``label`` ties it to its other
+    end (None: only the run knows it, it matches any).
+    """
+
+    role: Role
+    kind: str
+    word: str
+    label: str | None
+    span: Span
+
+
+class Step(NamedTuple):
+    """What a line does: how it is read, which brackets it holds, and the state behind it."""
+
+    reading: Reading
+    brackets: Sequence[Bracket]
+    state: Hashable
+
+
+class Outline(Protocol):
+    """How the lines of a dialect's programs hang together.
+
+    Only lines whose shape matches ``marks`` are shown to ``step``; all others are read as
+    the state says and change nothing. ``facts`` gathers, from a stretch of text, what the
+    fold must know of the whole document (names of tables, say); facts of stretches are united.
+    """
+
+    marks: str
+    needs_depth: str
+
+    def facts(self, text: str) -> frozenset[str]:
+        """What a stretch of whole lines says about the document as a whole."""
+
+    def start(self, facts: frozenset[str]) -> Hashable:
+        """The state before the first line."""
+
+    def reading(self, state: Hashable) -> Reading:
+        """How an unmarked line is read."""
+
+    def step(self, state: Any, depth: int, facts: frozenset[str], read: "Callable[[Reading], LineNode]") -> Step:
+        """What a marked line does. ``depth`` counts the blocks open in its region; it is only to be relied on by lines that match ``needs_depth``."""
+
+
+class Kind(Enum):
+    """The types a setting can have in the configuration file."""
+
+    TEXT = "text"
+    CHOICE = "one of several words"
+    LIST = "a list of texts"
+    TABLE = "a table"
+    PATH = "a file or folder"
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A key of the dialect's table in `deburr.toml`."""
+
+    name: str
+    kind: Kind
+    default: Any
+    text: str
+    choices: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """A pattern that only this dialect's programs show; ``text`` says in words what it is."""
+
+    pattern: str
+    text: str
+
+
+@dataclass(frozen=True, eq=False)
+class Dialect:
+    """One language in which G-code is programmed."""
+
+    name: str
+    title: str
+    package: str
+    extensions: tuple[str, ...]
+    readings: tuple[Reading, ...]
+    folding: Folding
+    outline: Outline
+    diagnose: Callable[[SyntaxFault], Problem]
+    """Turns the parser's fault into the Problem that the reference names."""
+    words: Mapping[str, str]
+    """Terminal names in the user's words: `NUMBER` is "a number"."""
+    comments: tuple[tuple[str, str], ...]
+    """Pairs of signs that start and end a comment; an empty end means the end of the line."""
+    frame: str
+    """The smallest clean program; `{}` is where a rule's example goes."""
+    evidence: tuple[Evidence, ...] = ()
+    settings: tuple[Setting, ...] = ()
+    blanks: str = " \t"
+    """Characters that may stand between words."""
+    nesting: Mapping[str, int] = field(default_factory=dict)
+
+    @property
+    def starts(self) -> tuple[str, ...]:
+        """The start rules of the line grammar."""
+        return tuple(dict.fromkeys(reading.start for reading in self.readings if reading.start))
+
+    @cached_property
+    def grammar(self) -> Grammar:
+        """The line grammar."""
+        return Grammar(self.package, self.starts)
+
+    @cached_property
+    def codes(self) -> CodeTable:
+        """The tables."""
+        return CodeTable(self.package)
+
+    def expected(self, terminals: Iterable[str]) -> tuple[str, ...]:
+        """An expected set in the user's words, each once, in the order of ``words``."""
+        names = set(terminals)
+        return tuple(dict.fromkeys(said for name, said in self.words.items() if name in names))
+
+    @cached_property
+    def marks(self) -> re.Pattern[str]:
+        """Which shapes the outline must see."""
+        return re.compile(self.outline.marks)
+
+    @cached_property
+    def needs_depth(self) -> re.Pattern[str]:
+        """Which shapes ask how deep they stand."""
+        return re.compile(self.outline.needs_depth or "(?!)")

@@ -1,0 +1,38 @@
+"""RS274/NGC with parameters, expressions and O-words (SmithyCNC, EMC2, LinuxCNC): `spec/rs274.md`."""
+
+from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting
+from deburr_grammar.dialects.rs274.outline import READINGS, RS274Outline
+from deburr_grammar.dialects.rs274.problems import WORDS, diagnose
+from deburr_grammar.shape import Folding
+
+_ACTIVE = r"(?i:[ \t]*(?:m[ \t]*s[ \t]*g|debug|print|log|logopen|logappend|logclose|probeopen|probeclose|abort|py|pyrun|pyreload)\b)"
+
+DIALECT = Dialect(
+    name="rs274",
+    title="RS274/NGC",
+    package="deburr_grammar.dialects.rs274",
+    extensions=(".ngc",),
+    readings=READINGS,
+    folding=Folding(
+        # The numbers of G and M codes decide what a line is; rules are kept with its shape.
+        protect=r"[GgMm][ \t]*[0-9][0-9 \t]*(?:\.[0-9 \t]*)?",
+        inert=rf"\((?<=(\())(?!{_ACTIVE})[^()\n]*(\))|;(?<=(;))[^\n]*",
+    ),
+    outline=RS274Outline(),
+    diagnose=diagnose,
+    words=WORDS,
+    comments=(("(", ")"), (";", "")),
+    frame="G21 G90 G17\n{}\nF100\nM2\n",
+    evidence=(
+        Evidence(r"(?im)^[ \t]*/?[ \t]*(?:n[0-9]+[ \t]*)?o[ \t]*(?:<[^<>\n]+>|[0-9]+)[ \t]*(?:sub|endsub|call|if|elseif|else|endif|while|endwhile|do|repeat|endrepeat|return)\b", "an O-word with a flow command"),
+        Evidence(r"#[ \t]*<[^<>\n]+>", "a named parameter `#<name>`"),
+    ),
+    settings=(
+        Setting("profile", Kind.CHOICE, "linuxcnc", "whose manual decides where the two differ", ("linuxcnc", "smithy")),
+        Setting("compare", Kind.CHOICE, "1e-4", "how near two values must be to be EQ", ("1e-4", "1e-6")),
+        Setting("subroutine-path", Kind.LIST, (), "folders in which called subroutine files are looked for"),
+        Setting("parameters", Kind.PATH, "", "a .var file with stored parameters"),
+        Setting("axes", Kind.TEXT, "", "letters of the machine's axes; empty: XYZABCUVW, in the smithy profile XYZABC"),
+        Setting("tool-table", Kind.PATH, "", "a tool table"),
+    ),
+)

@@ -1,0 +1,129 @@
+"""Where an RS274 program ends and how its O-words hang together (spec/rs274.md §1.1, §6)."""
+
+import re
+from collections.abc import Callable, Hashable, Iterator
+from typing import NamedTuple
+
+from deburr_grammar.codes import code_number
+from deburr_grammar.dialect import Bracket, Reading, Role, Step
+from deburr_grammar.line import LineNode
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node, Token
+
+PROGRAM = Reading("program", "line")
+AFTER_END = Reading("after-end", None)
+READINGS = (PROGRAM, AFTER_END)
+
+
+class State(NamedTuple):
+    """``ended`` by M2 or M30 outside all blocks (subs that follow are still found by calls) or, for good, by a second `%` (``closed``).
+
+    ``sub``: inside a subprogram. ``dos``: labels of the `do` loops that are open, because
+    only they tell whether a `while` ends one or starts a loop of its own.
+    """
+
+    percent: bool = False
+    ended: bool = False
+    closed: bool = False
+    sub: bool = False
+    dos: frozenset[str] = frozenset()
+
+
+_COMMANDS = {
+    "SUB": (Role.REGION, "sub"),
+    "ENDSUB": (Role.END_REGION, "sub"),
+    "IF": (Role.OPEN, "if"),
+    "ELSEIF": (Role.MIDDLE, "if"),
+    "ELSE": (Role.MIDDLE, "if"),
+    "ENDIF": (Role.CLOSE, "if"),
+    "WHILE": (Role.OPEN, "while"),
+    "ENDWHILE": (Role.CLOSE, "while"),
+    "DO": (Role.OPEN, "do"),
+    "REPEAT": (Role.OPEN, "repeat"),
+    "ENDREPEAT": (Role.CLOSE, "repeat"),
+    "BREAK": (Role.MIDDLE, "loop"),
+    "CONTINUE": (Role.MIDDLE, "loop"),
+    "RETURN": (Role.MIDDLE, "sub"),
+}
+_BLANKS = re.compile(r"[ \t]+")
+
+
+class RS274Outline:
+    """The fold over O-words, program ends and percent lines."""
+
+    marks = r"(?i)^[ \t]*/?[ \t]*(?:n[ \t0.]*)?o|m[ \t]*0*[ \t]*(?:2|30)[ \t]*(?![0-9.])|^[ \t]*%"
+    needs_depth = r"(?i)m[ \t]*0*[ \t]*(?:2|30)[ \t]*(?![0-9.])"
+
+    def facts(self, text: str) -> frozenset[str]:
+        """Nothing of the whole is needed."""
+        return frozenset()
+
+    def start(self, facts: frozenset[str]) -> Hashable:
+        """Before the program."""
+        return State()
+
+    def reading(self, state: State) -> Reading:
+        """A line is read until the program has ended, and in subprograms behind that end."""
+        return AFTER_END if state.closed or state.ended and not state.sub else PROGRAM
+
+    def step(self, state: State, depth: int, facts: frozenset[str], read: Callable[[Reading], LineNode]) -> Step:
+        """What an O-word, a program end or a percent line does."""
+        if state.closed:
+            return Step(AFTER_END, (), state)
+        line = read(PROGRAM)
+        if "PERCENT" in line.kinds and not line.problems:
+            return Step(PROGRAM, (), state._replace(percent=True, closed=state.percent))
+        bracket = _bracket(line, state)
+        if bracket is not None:
+            # Behind the end only subprograms are found, so only their first line is more than text.
+            if state.ended and not state.sub and bracket.role is not Role.REGION:
+                return Step(AFTER_END, (), state)
+            return Step(PROGRAM, (bracket,), _behind(state, bracket))
+        if not state.sub and depth == 0 and "word" in line.kinds and _ends(line):
+            return Step(self.reading(state), (), state._replace(ended=True))
+        return Step(self.reading(state), (), state)
+
+
+def _behind(state: State, bracket: Bracket) -> State:
+    if bracket.kind == "sub" and bracket.role is not Role.MIDDLE:
+        return state._replace(sub=bracket.role is Role.REGION, dos=frozenset())
+    if bracket.kind == "do" and bracket.label is not None:
+        opened = bracket.role is Role.OPEN
+        return state._replace(dos=state.dos | {bracket.label} if opened else state.dos - {bracket.label})
+    return state
+
+
+def _bracket(line: LineNode, state: State) -> Bracket | None:
+    o_line = next(line.find("o_line"), None)
+    if o_line is None:
+        return None
+    command = next((part for part in o_line.children if isinstance(part, Token) and part.kind in _COMMANDS), None)
+    label = o_line.node("label")
+    if command is None or label is None:
+        return None
+    role, kind = _COMMANDS[command.kind]
+    name = label_of(line.text, label)
+    if command.kind == "WHILE" and name in state.dos:
+        role, kind = Role.CLOSE, "do"
+    return Bracket(role, kind, command.kind.lower(), name, Span(o_line.start, command.end))
+
+
+def label_of(text: str, label: Node) -> str | None:
+    """An O-word's label as the interpreter compares it; None for one that only the run knows (`o[#1+2]`)."""
+    only = label.children[0]
+    if len(label.children) == 1 and isinstance(only, Token):
+        said = _BLANKS.sub("", text[only.start : only.end]).strip("<>").lower()
+        return str(int(float(said))) if re.fullmatch(r"[0-9]+\.?0*", said) else said
+    return None
+
+
+def codes(line: LineNode) -> Iterator[tuple[str, Node]]:
+    """The G and M codes of a line in their canonical spelling, with their words; only literal ones."""
+    for word in line.find("word"):
+        letter, value = word.children[0], word.children[1]
+        if line.text[letter.start].upper() in "GM" and isinstance(value, Token):
+            yield code_number(line.text[word.start : word.end]), word
+
+
+def _ends(line: LineNode) -> bool:
+    return any(code in ("M2", "M30") for code, _ in codes(line))

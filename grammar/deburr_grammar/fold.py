@@ -1,0 +1,63 @@
+"""State that runs along the lines of a program: modal groups, aliases. Folded on demand, kept with each chunk, cut off where it agrees.
+
+A fold's answer for a chunk is kept under the state before it, so after an edit only the
+chunks whose incoming state changed are folded again. Never keeps a line number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from typing import Protocol, TypeVar
+
+from deburr_grammar.chunk import Branch, Chunk
+from deburr_grammar.dialect import Bracket, Reading
+from deburr_grammar.line import LineNode, Shape
+from deburr_grammar.outline import Before, Outlined, Outliner
+
+S = TypeVar("S", bound=Hashable)
+
+
+class Fold(Protocol[S]):
+    """A state and how lines change it. States must be cheap to hash: intern what is large."""
+
+    start: S
+
+    def plain(self, state: S, reading: Reading, shape: Shape) -> S:
+        """The state behind a line without marks: it may depend on the shape alone."""
+
+    def marked(self, state: S, line: LineNode, brackets: Sequence[Bracket]) -> S:
+        """The state behind a line that the outline saw."""
+
+
+def carried(fold: Fold[S], state: S, node: Branch | Chunk, before: Before, outliner: Outliner) -> S:
+    """The state behind a node."""
+    key = (fold, state, outliner.key(node, before))
+    if key not in node.memo:
+        if isinstance(node, Branch):
+            found, inner = state, before
+            for child in node.children:
+                found = carried(fold, found, child, inner, outliner)
+                inner = outliner.behind(child, inner)
+        else:
+            found = through(fold, state, node, outliner.outlined(node, before))
+        outliner.keep(node, key, found)
+        return found
+    known: S = node.memo[key]
+    return known
+
+
+def through(fold: Fold[S], state: S, chunk: Chunk, outlined: Outlined, upto: int | None = None) -> S:
+    """The state behind the first ``upto`` lines of a chunk (all lines: None)."""
+    runs = dict(outlined.runs)
+    reading = outlined.runs[0][1]
+    held: dict[int, list[Bracket]] = {}
+    for index, bracket in outlined.brackets:
+        held.setdefault(index, []).append(bracket)
+    plain = fold.plain
+    for index, shape in enumerate(chunk.shapes[:upto]):
+        reading = runs.get(index, reading)
+        if shape.marked:
+            state = fold.marked(state, LineNode(chunk.line(index), reading, shape), held.get(index, ()))
+        else:
+            state = plain(state, reading, shape)
+    return state

@@ -1,0 +1,148 @@
+"""A dialect's Lark grammar at work: one line in, a tree or a fault out. Never looks at more than one line.
+
+The tables that Lark builds from `line.lark` ship beside it as `line.tables`
+(`python -m deburr_grammar.tables` writes them, a test proves them fresh), because
+building them costs some thirty times as much as loading them.
+"""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Iterator
+from functools import cached_property
+from importlib import resources
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from deburr_grammar.problem import Part, SyntaxFault
+from deburr_grammar.tree import Node, Token, tokens
+
+if TYPE_CHECKING:
+    from lark import Lark
+
+CORE = "deburr_grammar.core"
+_OPTIONS: dict[str, Any] = {
+    "parser": "lalr",
+    "lexer": "contextual",
+    "keep_all_tokens": True,
+    "maybe_placeholders": False,
+}
+
+
+class Parsed(NamedTuple):
+    """What a line was read as: the tree as far as it goes, and the fault if there is one."""
+
+    tree: Node
+    fault: SyntaxFault | None
+
+
+class Grammar:
+    """The whole-line grammar of one dialect. ``starts`` are its start rules, one for each kind of reading."""
+
+    def __init__(self, package: str, starts: tuple[str, ...]) -> None:
+        self._package = package
+        self._starts = starts
+
+    def parse(self, start: str, text: str) -> Parsed:
+        """Read one line (or one shape) under a start rule."""
+        from lark.exceptions import UnexpectedInput
+
+        try:
+            return Parsed(_as_node(self._lark.parse(text, start), start), None)
+        except UnexpectedInput as unexpected:
+            return _faulty(text, start, unexpected)
+
+    def build(self) -> Lark:
+        """The parser, made from the grammar text."""
+        from lark import Lark
+
+        source = resources.files(self._package).joinpath("line.lark").read_text(encoding="utf-8")
+        return Lark(source, start=list(self._starts), import_paths=[_from_core], **_OPTIONS)
+
+    @cached_property
+    def _lark(self) -> Lark:
+        from lark import Lark
+
+        tables = resources.files(self._package).joinpath("line.tables")
+        if not tables.is_file():
+            return self.build()
+        try:
+            with tables.open("rb") as file:
+                return Lark.load(file)
+        except (pickle.UnpicklingError, AttributeError, KeyError, TypeError, EOFError):
+            # Tables of another Lark version: slower, never wrong.
+            return self.build()
+
+
+def _from_core(_base: str | None, path: str) -> tuple[str, str]:
+    """Lark's import hook: `%import core.terminals.X` reads the shared fragments."""
+    found = resources.files(CORE).joinpath(path.removeprefix("core/"))
+    if not found.is_file():
+        raise OSError(path)
+    return str(found), found.read_text(encoding="utf-8")
+
+
+def _as_node(tree: Any, start: str) -> Node:
+    node = _convert(tree)
+    return node if isinstance(node, Node) else Node(start, node.start, node.end, (node,))
+
+
+def _convert(tree: Any) -> Node | Token:
+    from lark import Tree
+
+    if not isinstance(tree, Tree):
+        return Token(str(tree.type), tree.start_pos, tree.end_pos)
+    children = tuple(_convert(child) for child in tree.children)
+    if not children:
+        return Node(str(tree.data), 0, 0, ())
+    return Node(str(tree.data), children[0].start, children[-1].end, children)
+
+
+def _faulty(text: str, start: str, unexpected: Any) -> Parsed:
+    from lark.exceptions import UnexpectedCharacters
+
+    token = getattr(unexpected, "token", None)
+    if isinstance(unexpected, UnexpectedCharacters):
+        at, end, found = unexpected.pos_in_stream, unexpected.pos_in_stream + 1, ""
+    elif token is not None and token.type != "$END":
+        at, end, found = token.start_pos, token.end_pos, str(token.type)
+    else:
+        at, end, found = len(text), len(text), "$END"
+    parts = tuple(_read_before(unexpected.state.value_stack))
+    stack = tuple(Part(part.kind, part.start, part.end) for part in parts)
+    tree = Node(start, parts[0].start if parts else 0, parts[-1].end if parts else 0, parts)
+    return Parsed(tree, SyntaxFault(text, at, end, found, _accepted(unexpected.state), stack, _last_tokens(parts)))
+
+
+def _accepted(state: Any) -> frozenset[str]:
+    """The terminals that could stand next. The lookahead sets of an LALR state hold too many, so each is tried."""
+    states = state.parse_conf.parse_table.states
+    return frozenset(name for name in states[state.state_stack[-1]] if name.isupper() or name == "$END" if _fits(states, state.state_stack, name))
+
+
+def _fits(states: Any, stack: list[Any], terminal: str) -> bool:
+    stack = list(stack)
+    while True:
+        found = states[stack[-1]].get(terminal)
+        if found is None:
+            return False
+        action, argument = found
+        if action.name == "Shift":
+            return True
+        # A reduction: the rule's parts leave the stack, the rule itself takes their place.
+        size = len(argument.expansion)
+        del stack[len(stack) - size :]
+        stack.append(states[stack[-1]][argument.origin.name][1])
+
+
+def _read_before(values: list[Any]) -> Iterator[Node | Token]:
+    from lark import Tree
+
+    for value in values:
+        # A helper rule of a repetition (`__block_star_0`) is no part of the tree: only what it holds is.
+        helper = isinstance(value, Tree) and value.data.startswith("_")
+        for part in value.children if helper else [value]:
+            yield _convert(part)
+
+
+def _last_tokens(parts: tuple[Node | Token, ...]) -> tuple[Part, ...]:
+    return tuple(Part(token.kind, token.start, token.end) for part in parts for token in tokens(part))

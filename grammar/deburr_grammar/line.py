@@ -1,0 +1,165 @@
+"""A line and what it was read as: a pure function of dialect, reading and text. Columns only, never a line number."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from deburr_grammar.problem import Problem
+from deburr_grammar.tree import Node, moved, walk
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from deburr_grammar.dialect import Dialect, Reading
+    from deburr_grammar.grammar import Parsed
+
+LONGEST = 20_000
+DEEPEST = 200
+"""A line of more characters or more opening signs than these is not read: no control takes one, and no person wrote it."""
+_OPENING = re.compile(r"[\[(<]")
+
+
+@dataclass(frozen=True, slots=True)
+class Facts:
+    """What is kept of a shape's parse: its problems in columns of the shape, and the kinds of node and token in it."""
+
+    problems: tuple[Problem, ...]
+    kinds: frozenset[str]
+
+
+class Shape:
+    """A line's text with what does not matter to its syntax folded away. Equal shapes are one object within a dialect."""
+
+    __slots__ = ("dialect", "text", "marked", "needs_depth", "_facts", "memo")
+
+    def __init__(self, dialect: Dialect, text: str) -> None:
+        self.dialect = dialect
+        self.text = text
+        self.marked = dialect.marks.search(text) is not None
+        self.needs_depth = self.marked and dialect.needs_depth.search(text) is not None
+        self._facts: dict[str, Facts] = {}
+        self.memo: dict[object, object] = {}
+        """Room for what others derive from a shape alone."""
+
+    def facts(self, reading: Reading) -> Facts:
+        """What this shape is under a reading, parsed once."""
+        facts = self._facts.get(reading.name)
+        if facts is None:
+            facts = self._facts[reading.name] = self._read(reading)
+        return facts
+
+    @property
+    def readable(self) -> bool:
+        """Whether the line is of a length and depth that a program could have."""
+        return len(self.text) <= LONGEST and len(_OPENING.findall(self.text)) <= DEEPEST
+
+    def tree(self, reading: Reading) -> Node:
+        """The tree in columns of the shape; recently used ones are kept."""
+        return _parse(self.dialect, reading, self.text).tree
+
+    def _read(self, reading: Reading) -> Facts:
+        if reading.start is None:
+            return _NOTHING
+        if not self.readable:
+            return Facts((Problem("line-too-long", 0, len(self.text)),), frozenset())
+        parsed = _parse(self.dialect, reading, self.text)
+        problems = () if parsed.fault is None else (self.dialect.diagnose(parsed.fault),)
+        return Facts(problems, _interned(frozenset(part.kind for part in walk(parsed.tree))))
+
+
+_NOTHING = Facts((), frozenset())
+_EMPTY = Node("", 0, 0, ())
+
+
+@lru_cache(maxsize=8192)
+def _parse(dialect: Dialect, reading: Reading, text: str) -> Parsed:
+    assert reading.start is not None
+    return dialect.grammar.parse(reading.start, text)
+
+
+@lru_cache(maxsize=4096)
+def _interned(kinds: frozenset[str]) -> frozenset[str]:
+    return kinds
+
+
+class Shapes(dict[str, Shape]):
+    """The shapes of a dialect that are in use. Dropped as a whole when they grow too many: whoever holds a shape keeps it."""
+
+    LIMIT = 200_000
+
+    def __init__(self, dialect: Dialect) -> None:
+        super().__init__()
+        self._dialect = dialect
+
+    def __missing__(self, text: str) -> Shape:
+        if len(self) >= self.LIMIT:
+            self.clear()
+        shape = self[text] = Shape(self._dialect, text)
+        return shape
+
+    def read(self, text: str) -> list[Shape]:
+        """The shapes of all lines of a text whose line endings are newlines."""
+        return list(map(self.__getitem__, self._dialect.folding.fold(text).split("\n")))
+
+
+@lru_cache(maxsize=None)
+def shapes_of(dialect: Dialect) -> Shapes:
+    """The shapes of a dialect; one table for all documents."""
+    return Shapes(dialect)
+
+
+class LineNode:
+    """One line: its text without the ending, its reading, its tree and its problems, in columns of the line."""
+
+    __slots__ = ("text", "reading", "shape")
+
+    def __init__(self, text: str, reading: Reading, shape: Shape) -> None:
+        self.text = text
+        self.reading = reading
+        self.shape = shape
+
+    @property
+    def dialect(self) -> Dialect:
+        """The language the line is written in."""
+        return self.shape.dialect
+
+    @property
+    def kinds(self) -> frozenset[str]:
+        """The kinds of all nodes and tokens in the tree."""
+        return self.shape.facts(self.reading).kinds
+
+    @property
+    def tree(self) -> Node:
+        """The tree; of a faulty line, what was read before the fault. Empty where the reading reads nothing."""
+        if self.reading.start is None or not self.shape.readable:
+            return _EMPTY
+        return moved(self.shape.tree(self.reading), self.dialect.folding.columns(self.text))
+
+    @property
+    def problems(self) -> tuple[Problem, ...]:
+        """The line's syntax faults from left to right."""
+        problems = self.shape.facts(self.reading).problems
+        if not problems:
+            return ()
+        to_line = self.dialect.folding.columns(self.text)
+        return tuple(Problem(p.kind, to_line(p.start), to_line(p.end), p.expected) for p in problems)
+
+    def find(self, *kinds: str) -> Iterator[Node]:
+        """All nodes of the given kinds, in reading order."""
+        wanted = frozenset(kinds)
+        if not wanted.isdisjoint(self.kinds):
+            yield from (part for part in walk(self.tree) if isinstance(part, Node) and part.kind in wanted)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, LineNode):
+            return NotImplemented
+        return (self.dialect.name, self.reading, self.text) == (other.dialect.name, other.reading, other.text)
+
+    def __hash__(self) -> int:
+        return hash((self.dialect.name, self.reading, self.text))
+
+    def __repr__(self) -> str:
+        return f"LineNode({self.reading.name!r}, {self.text!r})"

@@ -1,0 +1,155 @@
+"""How the lines of a document are read, and their brackets: one fold over chunks, kept with each chunk. Never re-reads a line.
+
+What a chunk's lines are depends on the state before it (inside a table section, behind the
+program's end) and on facts of the whole document. A chunk keeps its answer for each state it
+has met, a branch keeps the sum over its children; so a changed state runs on only until it
+meets one that is known.
+"""
+
+from collections.abc import Hashable
+from functools import lru_cache
+from typing import NamedTuple
+
+from deburr_grammar.chunk import Branch, Chunk
+from deburr_grammar.dialect import Bracket, Dialect, Reading, Step
+from deburr_grammar.line import LineNode, Shape
+from deburr_grammar.structure import EVEN, NOTHING, Balance, Reduction, balance, reduction, single
+from deburr_grammar.text import with_newlines
+
+_KEPT = 32
+"""States for which a node keeps its answer; a node that met more forgets all."""
+
+
+class Before(NamedTuple):
+    """What holds before a stretch: the outline's state, and the balance of all that precedes it."""
+
+    state: Hashable
+    balance: Balance
+
+
+class Outlined(NamedTuple):
+    """A chunk under a state: from which line on which reading holds, its brackets with their lines, and what holds behind it."""
+
+    runs: tuple[tuple[int, Reading], ...]
+    brackets: tuple[tuple[int, Bracket], ...]
+    balance: Balance
+    state: Hashable
+
+    def reading(self, index: int) -> Reading:
+        """How a line of the chunk is read."""
+        return next(reading for first, reading in reversed(self.runs) if first <= index)
+
+
+class Outliner:
+    """The fold for one dialect under given facts. Equal facts give equal answers, so these are kept under them."""
+
+    def __init__(self, dialect: Dialect, facts: frozenset[str]) -> None:
+        self.dialect = dialect
+        self.facts = facts
+
+    @property
+    def start(self) -> Before:
+        """What holds before the first line."""
+        return Before(self.dialect.outline.start(self.facts), EVEN)
+
+    def behind(self, node: Branch | Chunk, before: Before) -> Before:
+        """What holds behind a node."""
+        found = self._found(node, before)
+        return Before(found.state, before.balance.then(found.balance))
+
+    def balance(self, node: Branch | Chunk, before: Before) -> Balance:
+        """The balance of a node's own brackets."""
+        return self._found(node, before).balance
+
+    def outlined(self, chunk: Chunk, before: Before) -> Outlined:
+        """The lines of a chunk."""
+        found = self._found(chunk, before)
+        assert isinstance(found, Outlined)
+        return found
+
+    def reduction(self, node: Branch | Chunk, before: Before) -> Reduction:
+        """A node's brackets with all pairs inside it taken out; lines counted from the node's first."""
+        key = ("reduction", self.key(node, before))
+        found: Reduction | None = node.memo.get(key)
+        if found is None:
+            if isinstance(node, Chunk):
+                found = reduction(self.outlined(node, before).brackets)
+            else:
+                found, lines = NOTHING, 0
+                for child in node.children:
+                    found = found.then(self.reduction(child, before).moved(lines))
+                    before = self.behind(child, before)
+                    lines += child.eols
+            self.keep(node, key, found)
+        return found
+
+    def key(self, node: Branch | Chunk, before: Before) -> Hashable:
+        """All that the outline of a node depends on besides its text."""
+        return (self.facts, before.state, before.balance.openers if node.needs_depth else -1)
+
+    def keep(self, node: Branch | Chunk, key: Hashable, value: object) -> None:
+        """Keep an answer with the node that it is derived from."""
+        if len(node.memo) >= _KEPT:
+            node.memo.clear()
+        node.memo[key] = value
+
+    def _found(self, node: Branch | Chunk, before: Before) -> Before | Outlined:
+        key = self.key(node, before)
+        found: Before | Outlined | None = node.memo.get(key)
+        if found is None:
+            found = self._sum(node, before) if isinstance(node, Branch) else self._read(node, before)
+            self.keep(node, key, found)
+        return found
+
+    def _sum(self, node: Branch, before: Before) -> Before:
+        state, total, running = before.state, EVEN, before.balance
+        for child in node.children:
+            found = self._found(child, Before(state, running))
+            state, total, running = found.state, total.then(found.balance), running.then(found.balance)
+        return Before(state, total)
+
+    def _read(self, chunk: Chunk, before: Before) -> Outlined:
+        outline = self.dialect.outline
+        state, running = before.state, before.balance
+        runs = [(0, outline.reading(state))]
+        found: list[tuple[int, Bracket]] = []
+        if chunk.marks[0]:
+            for index, shape in enumerate(chunk.shapes):
+                if not shape.marked:
+                    continue
+                depth = running.openers if shape.needs_depth else -1
+                step = _step(self.dialect, self.facts, state, depth, shape, chunk.line(index))
+                _run(runs, index, step.reading)
+                found += [(index, bracket) for bracket in step.brackets]
+                for bracket in step.brackets:
+                    running = running.then(single(bracket))
+                state = step.state
+                _run(runs, index + 1, outline.reading(state))
+        return Outlined(tuple(runs), tuple(found), balance(bracket for _, bracket in found), state)
+
+
+@lru_cache(maxsize=16_384)
+def _step(dialect: Dialect, facts: frozenset[str], state: Hashable, depth: int, shape: Shape, text: str) -> Step:
+    return dialect.outline.step(state, depth, facts, lambda reading: LineNode(text, reading, shape))
+
+
+def _run(runs: list[tuple[int, Reading]], index: int, reading: Reading) -> None:
+    if runs[-1][1] is reading:
+        return
+    if runs[-1][0] == index:
+        runs.pop()
+    if not runs or runs[-1][1] is not reading:
+        runs.append((index, reading))
+
+
+def facts_of(node: Branch | Chunk, dialect: Dialect) -> frozenset[str]:
+    """What the text of a node says about the document as a whole."""
+    found = node.memo.get("facts")
+    if found is None:
+        if isinstance(node, Chunk):
+            found = dialect.outline.facts(with_newlines(node.text))
+        else:
+            found = frozenset().union(*(facts_of(child, dialect) for child in node.children))
+        node.memo["facts"] = found
+    assert isinstance(found, frozenset)
+    return found

@@ -1,0 +1,102 @@
+"""The other end of a bracket, found in the tree of balances in O(log n). Never compares kinds or labels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from deburr_grammar.chunk import Branch, Chunk
+from deburr_grammar.dialect import Bracket, Role
+from deburr_grammar.outline import Before, Outliner
+from deburr_grammar.structure import CUTS
+
+Found = tuple[int, Bracket] | None
+
+
+class Step(NamedTuple):
+    """A child on the way from the root to a chunk: its number, its first line, what holds before its branch and before itself."""
+
+    branch: Branch
+    number: int
+    line: int
+    top: Before
+    before: Before
+
+
+class Partners:
+    """Looks for partners in one version of a document, from a chunk to which ``path`` leads."""
+
+    def __init__(self, outliner: Outliner, path: list[Step]) -> None:
+        self._outliner = outliner
+        self._path = path
+
+    def find(self, line: int, bracket: Bracket) -> Found:
+        """The other end of an opener or closer that stands on a line of the chunk; None where its region has none."""
+        forward = bracket.role is Role.OPEN
+        here = self._path[-1]
+        chunk = here.branch.children[here.number]
+        assert isinstance(chunk, Chunk)
+        brackets = self._brackets(_At(chunk, here.line, here.before))
+        at = brackets.index((line, bracket))
+        rest = brackets[at + 1 :] if forward else reversed(brackets[:at])
+        done, found, depth = _scan(rest, 1, forward)
+        for step in () if done else reversed(self._path):
+            for node in self._siblings(step, forward):
+                done, found, depth = self._visit(node, depth, forward)
+                if done:
+                    return found
+        return found
+
+    def _siblings(self, step: Step, forward: bool) -> list[_At]:
+        if forward:
+            return self._placed(step.branch.children[step.number :], step.line, step.before)[1:]
+        first = step.line - sum(child.eols for child in step.branch.children[: step.number])
+        return self._placed(step.branch.children[: step.number], first, step.top)[::-1]
+
+    def _placed(self, nodes: Iterable[Branch | Chunk], line: int, before: Before) -> list[_At]:
+        placed = []
+        for node in nodes:
+            placed.append(_At(node, line, before))
+            before = self._outliner.behind(node, before)
+            line += node.eols
+        return placed
+
+    def _visit(self, at: _At, depth: int, forward: bool) -> tuple[bool, Found, int]:
+        """Go through a node: whether the search is over, what it found, how many blocks are left to close."""
+        balance = self._outliner.balance(at.node, at.before)
+        near, far = (balance.closers, balance.openers) if forward else (balance.openers, balance.closers)
+        if near < depth:
+            return balance.cut, None, depth - near + far
+        if isinstance(at.node, Chunk):
+            brackets = self._brackets(at)
+            return _scan(brackets if forward else reversed(brackets), depth, forward)
+        inner = self._placed(at.node.children, at.line, at.before)
+        for child in inner if forward else reversed(inner):
+            done, found, depth = self._visit(child, depth, forward)
+            if done:
+                return True, found, depth
+        return False, None, depth
+
+    def _brackets(self, at: _At) -> list[tuple[int, Bracket]]:
+        assert isinstance(at.node, Chunk)
+        outlined = self._outliner.outlined(at.node, at.before)
+        return [(at.line + index, bracket) for index, bracket in outlined.brackets]
+
+
+class _At(NamedTuple):
+    node: Branch | Chunk
+    line: int
+    before: Before
+
+
+def _scan(brackets: Iterable[tuple[int, Bracket]], depth: int, forward: bool) -> tuple[bool, Found, int]:
+    more, less = (Role.OPEN, Role.CLOSE) if forward else (Role.CLOSE, Role.OPEN)
+    for line, bracket in brackets:
+        if bracket.role in CUTS:
+            return True, None, depth
+        depth += (bracket.role is more) - (bracket.role is less)
+        if not depth:
+            return True, (line, bracket), 0
+    return False, None, depth
+
+

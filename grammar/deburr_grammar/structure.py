@@ -1,0 +1,223 @@
+"""Openers and closers as a monoid: a stretch of lines is how many blocks it closes and opens beyond itself. Never reads a line.
+
+Blocks pair by depth alone and are compared afterwards, so each fault costs at most one
+finding a level. A region boundary (a subprogram, a section) cuts: no block reaches across.
+"""
+
+from collections.abc import Iterable
+from enum import Enum
+from typing import NamedTuple
+
+from deburr_grammar.dialect import Bracket, Role
+
+CUTS = (Role.REGION, Role.END_REGION)
+
+
+class Balance(NamedTuple):
+    """The unmatched brackets of a stretch: closers before its first cut, openers behind its last."""
+
+    closers: int = 0
+    openers: int = 0
+    cut: bool = False
+
+    def then(self, after: "Balance") -> "Balance":
+        """The balance of this stretch and the one behind it together. Associative; `Balance()` is neutral."""
+        if after is EVEN:
+            return self
+        left = max(0, after.closers - self.openers)
+        closers = self.closers if self.cut else self.closers + left
+        openers = after.openers if after.cut else after.openers + max(0, self.openers - after.closers)
+        return Balance(closers, openers, self.cut or after.cut)
+
+
+EVEN = Balance()
+_OPEN = Balance(0, 1)
+_CLOSE = Balance(1, 0)
+_CUT = Balance(0, 0, True)
+
+
+def balance(brackets: Iterable[Bracket]) -> Balance:
+    """The balance of brackets in reading order."""
+    total = EVEN
+    for bracket in brackets:
+        total = total.then(single(bracket))
+    return total
+
+
+def single(bracket: Bracket) -> Balance:
+    """The balance of one bracket."""
+    if bracket.role is Role.OPEN:
+        return _OPEN
+    if bracket.role is Role.CLOSE:
+        return _CLOSE
+    return _CUT if bracket.role in CUTS else EVEN
+
+
+def joined(balances: Iterable[Balance]) -> Balance:
+    """The balance of stretches that follow each other."""
+    total = EVEN
+    for each in balances:
+        total = total.then(each)
+    return total
+
+
+class Fault(Enum):
+    """What can be wrong with the structure of a program."""
+
+    UNOPENED = "closes what nothing opened"
+    UNCLOSED = "is never closed"
+    MISMATCH = "closes a block of another kind or label"
+    CROSSED = "closes a block across one that was opened inside it"
+    REGION_UNOPENED = "ends a region that nothing started"
+    REGION_UNCLOSED = "starts a region that is never ended"
+    REGION_NESTED = "starts a region inside another"
+    REGION_MISMATCH = "ends a region of another label"
+
+
+class Placed(NamedTuple):
+    """A bracket and its line, counted from wherever the whole is counted from."""
+
+    line: int
+    bracket: Bracket
+
+    def moved(self, lines: int) -> "Placed":
+        """The same bracket that many lines further down."""
+        return Placed(self.line + lines, self.bracket)
+
+
+class StructureFault(NamedTuple):
+    """A fault, the bracket that is to be marked, and the other end that explains it."""
+
+    fault: Fault
+    at: Placed
+    other: Placed | None = None
+
+    def moved(self, lines: int) -> "StructureFault":
+        """The same fault that many lines further down."""
+        return StructureFault(self.fault, self.at.moved(lines), self.other and self.other.moved(lines))
+
+
+class Reduction(NamedTuple):
+    """A stretch of lines with all pairs inside it taken out. Associative; `NOTHING` is neutral.
+
+    What is left: closers before the first region boundary, openers behind the last one, the
+    faults of what was paired or cut off, and the first and last region boundary.
+    """
+
+    closers: tuple[Placed, ...] = ()
+    openers: tuple[Placed, ...] = ()
+    faults: tuple[StructureFault, ...] = ()
+    first: Placed | None = None
+    last: Placed | None = None
+
+    def then(self, after: "Reduction") -> "Reduction":
+        """This stretch and the one behind it together; lines of both counted alike."""
+        pairs = min(len(self.openers), len(after.closers))
+        faults = [found for pair in zip(reversed(self.openers), after.closers[:pairs]) if (found := _compared(*pair))]
+        left_open, left_closing = self.openers[: len(self.openers) - pairs], after.closers[pairs:]
+        if after.first is not None:
+            faults += [StructureFault(Fault.UNCLOSED, opener) for opener in left_open]
+            left_open = ()
+            faults += _boundaries(self.last, after.first) if self.last is not None else []
+        if self.last is not None:
+            faults += [StructureFault(Fault.UNOPENED, closer) for closer in left_closing]
+            left_closing = ()
+        return Reduction(
+            self.closers + left_closing,
+            left_open + after.openers,
+            self.faults + tuple(faults) + after.faults if faults or after.faults else self.faults,
+            self.first or after.first,
+            after.last or self.last,
+        )
+
+    def moved(self, lines: int) -> "Reduction":
+        """The same stretch that many lines further down."""
+        if not lines or self == NOTHING:
+            return self
+        return Reduction(
+            tuple(closer.moved(lines) for closer in self.closers),
+            tuple(opener.moved(lines) for opener in self.openers),
+            tuple(fault.moved(lines) for fault in self.faults),
+            self.first and self.first.moved(lines),
+            self.last and self.last.moved(lines),
+        )
+
+    def all_faults(self) -> tuple[StructureFault, ...]:
+        """The faults of a whole program: what is left over belongs to nothing."""
+        found = [*self.faults]
+        found += [StructureFault(Fault.UNOPENED, closer) for closer in self.closers]
+        found += [StructureFault(Fault.UNCLOSED, opener) for opener in self.openers]
+        found += _boundaries(None, self.first) + _boundaries(self.last, None)
+        return tuple(sorted(explained(found), key=lambda fault: (fault.at.line, fault.at.bracket.span)))
+
+
+NOTHING = Reduction()
+
+
+def reduction(brackets: Iterable[tuple[int, Bracket]]) -> Reduction:
+    """The reduction of brackets in reading order."""
+    closers: list[Placed] = []
+    openers: list[Placed] = []
+    faults: list[StructureFault] = []
+    first: Placed | None = None
+    last: Placed | None = None
+    for line, bracket in brackets:
+        placed = Placed(line, bracket)
+        if bracket.role is Role.OPEN:
+            openers.append(placed)
+        elif bracket.role is Role.CLOSE:
+            if openers:
+                faults += [found] if (found := _compared(openers.pop(), placed)) else []
+            elif last is not None:
+                faults.append(StructureFault(Fault.UNOPENED, placed))
+            else:
+                closers.append(placed)
+        elif bracket.role in CUTS:
+            faults += [StructureFault(Fault.UNCLOSED, opener) for opener in openers]
+            faults += _boundaries(last, placed) if last is not None else []
+            openers.clear()
+            first, last = first or placed, placed
+    return Reduction(tuple(closers), tuple(openers), tuple(faults), first, last)
+
+
+def explained(faults: Iterable[StructureFault]) -> list[StructureFault]:
+    """Mismatches in the words of labels: two that swap their labels are blocks that cross, and one whose own opener stays open is a closer left out."""
+    found = list(faults)
+    mismatches = [fault for fault in found if fault.fault is Fault.MISMATCH]
+    for one in mismatches:
+        partner = next((two for two in mismatches if two is not one and _swapped(one, two)), None)
+        if partner is not None and one in found and partner in found:
+            found.remove(partner)
+            found[found.index(one)] = StructureFault(Fault.CROSSED, one.at, one.other)
+            continue
+        left = next((two for two in found if two.fault is Fault.UNCLOSED and _ties(two.at.bracket, one.at.bracket)), None)
+        if left is not None and one in found and one.other is not None:
+            found.remove(left)
+            found[found.index(one)] = StructureFault(Fault.UNCLOSED, one.other, one.at)
+    return found
+
+
+def _swapped(one: StructureFault, two: StructureFault) -> bool:
+    assert one.other is not None and two.other is not None
+    inner = one.at.line <= two.at.line
+    return inner and _ties(two.other.bracket, one.at.bracket) and _ties(one.other.bracket, two.at.bracket)
+
+
+def _ties(opener: Bracket, closer: Bracket) -> bool:
+    return opener.kind == closer.kind and (opener.label == closer.label or None in (opener.label, closer.label))
+
+
+def _compared(opener: Placed, closer: Placed) -> StructureFault | None:
+    return None if _ties(opener.bracket, closer.bracket) else StructureFault(Fault.MISMATCH, closer, opener)
+
+
+def _boundaries(last: Placed | None, first: Placed | None) -> list[StructureFault]:
+    """What is wrong with two region boundaries that follow each other; None is the program's start or end."""
+    opened = last if last is not None and last.bracket.role is Role.REGION else None
+    if first is None:
+        return [StructureFault(Fault.REGION_UNCLOSED, opened)] if opened else []
+    if first.bracket.role is Role.REGION:
+        return [StructureFault(Fault.REGION_NESTED, first, opened)] if opened else []
+    if opened is None:
+        return [StructureFault(Fault.REGION_UNOPENED, first)]
+    return [] if _ties(opened.bracket, first.bracket) else [StructureFault(Fault.REGION_MISMATCH, first, opened)]

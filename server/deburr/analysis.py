@@ -1,0 +1,126 @@
+"""One snapshot of a program and all that is derived from it. Runs no rule itself beyond asking the rule set; never opens a file."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+from deburr_grammar.dialect import Dialect
+from deburr_grammar.document import Document, Piece
+from deburr_grammar.structure import StructureFault
+
+from deburr.blocks import Scope, scopes
+from deburr.finding import Finding, Place, Related
+from deburr.host import Host, NoFiles
+from deburr.rule import Note, Report, Rule, Structure
+from deburr.ruleset import RuleSet
+
+
+class _Local(NamedTuple):
+    """A report on a line of a chunk, its line counted from the chunk's first."""
+
+    line: int
+    rule: Rule
+    report: Report
+
+
+class Analysis:
+    """A document, its rule set and the files around it."""
+
+    def __init__(self, document: Document, ruleset: RuleSet, file: str = "", host: Host | None = None) -> None:
+        self.document = document
+        self.ruleset = ruleset
+        self.file = file
+        self.host: Host = host or NoFiles()
+
+    @property
+    def dialect(self) -> Dialect:
+        """The language of the program."""
+        return self.document.dialect
+
+    @property
+    def settings(self) -> Mapping[str, Any]:
+        """The dialect's settings."""
+        return self.ruleset.settings
+
+    @cached_property
+    def scopes(self) -> tuple[Scope, ...]:
+        """The regions of the program with their blocks."""
+        return scopes(self.document.brackets())
+
+    def findings(self) -> list[Finding]:
+        """All findings, in order."""
+        found = [self._finding(piece.line + local.line, local) for piece, local in self._locals()]
+        for fault in self.document.faults if self.ruleset.on_structure else ():
+            found += self.fault_findings(fault)
+        for rule in self.ruleset.on_whole:
+            found += [self._finding(report.line, _Local(0, rule, report)) for report in rule.check(self)]
+        return sorted(found, key=lambda finding: finding.order)
+
+    def line_findings(self, line: int) -> list[Finding]:
+        """The findings that a line alone decides."""
+        piece = self.document.piece(line)
+        return [self._finding(line, local) for local in self._on_piece(piece) if piece.line + local.line == line]
+
+    def fault_findings(self, fault: StructureFault) -> list[Finding]:
+        """What the rules say of a fault of structure."""
+        return [
+            self._finding(report.line, _Local(0, rule, report))
+            for rule in self.ruleset.on_structure
+            if isinstance(rule.trigger, Structure) and fault.fault in rule.trigger.faults
+            for report in rule.check(fault)
+        ]
+
+    def _locals(self) -> Iterator[tuple[Piece, _Local]]:
+        for piece in self.document.pieces():
+            for local in self._on_piece(piece):
+                yield piece, local
+
+    def _on_piece(self, piece: Piece) -> tuple[_Local, ...]:
+        """What rules on lines say of a chunk: kept with the chunk."""
+        key = (self.ruleset, self.document.key(piece))
+        found: tuple[_Local, ...] | None = piece.chunk.memo.get(key)
+        if found is None:
+            found = piece.chunk.memo[key] = (*self._planned(piece), *self._texts(piece), *self._long(piece))
+        return found
+
+    def _planned(self, piece: Piece) -> Iterator[_Local]:
+        plan = self.ruleset.plan
+        for reading, first, shapes in piece.read():
+            plans = {shape: planned for shape in set(shapes) if (planned := plan(shape, reading))}
+            for index in (at for at, shape in enumerate(shapes, first) if shape in plans) if plans else ():
+                for rule, report in self.ruleset.on_line(piece.node(index), plans[shapes[index - first]]):
+                    yield _Local(index, rule, report)
+
+    def _texts(self, piece: Piece) -> Iterator[_Local]:
+        for rule, pattern in self.ruleset.on_text:
+            starts = piece.chunk.starts
+            lines = {bisect_right(starts, match.start()) - 1 for match in pattern.finditer(piece.chunk.text)}
+            yield from self._of_rule(rule, piece, sorted(lines))
+
+    def _long(self, piece: Piece) -> Iterator[_Local]:
+        for rule, limit in self.ruleset.on_length:
+            # A line's ending counts two at most, so shorter stretches need no second look.
+            if max((b - a for a, b in pairwise(piece.chunk.starts)), default=0) > limit or piece.chunk.chars > limit:
+                lines = (at for at in range(piece.lines) if len(piece.chunk.line(at)) > limit)
+                yield from self._of_rule(rule, piece, lines)
+
+    def _of_rule(self, rule: Rule, piece: Piece, lines: Any) -> Iterator[_Local]:
+        for index in lines:
+            node = piece.node(index)
+            if node.reading.start is not None:
+                for found, report in self.ruleset.on_line(node, (rule,)):
+                    yield _Local(index, found, report)
+
+    def _finding(self, line: int, local: _Local) -> Finding:
+        rule, report = local.rule, local.report
+        place = Place(self.file, line, report.span.start, line, report.span.end)
+        related = tuple(self._related(note) for note in report.related)
+        return Finding(rule.name, self.ruleset.severity(rule), report.message, place, related)
+
+    def _related(self, note: Note) -> Related:
+        file = self.file if note.file is None else note.file
+        return Related(Place(file, note.line, note.span.start, note.line, note.span.end), note.message)

@@ -1,0 +1,173 @@
+"""What a rule is: a generator with a severity, a trigger and a manual page. One file a rule; its name is its file's.
+
+The module docstring is the page of `deburr rule NAME` and the rule's test: a summary line,
+why it matters, `Source:`, and `Bad:` and `Good:` blocks. Never imports a dialect.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from pkgutil import iter_modules
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from deburr_grammar.line import LineNode
+from deburr_grammar.problem import Problem
+from deburr_grammar.structure import Fault, StructureFault
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node
+
+from deburr.finding import Severity
+
+if TYPE_CHECKING:
+    from deburr.analysis import Analysis
+
+__all__ = ["Line", "Long", "Nodes", "Note", "Report", "Rule", "Severity", "Structure", "Syntax", "Text", "Whole", "expected", "rule", "whole"]
+
+
+class Note(NamedTuple):
+    """A related place: its line (0-based), its columns, what it is; ``file`` is None for the program itself."""
+
+    line: int
+    span: Span
+    message: str
+    file: str | None = None
+
+
+class Report(NamedTuple):
+    """What a rule yields: columns and message. ``line`` is only for rules that see more than one line."""
+
+    span: Span
+    message: str
+    line: int = -1
+    related: tuple[Note, ...] = ()
+
+
+class Line(NamedTuple):
+    """What a rule on lines sees: the line and the dialect's settings. Never where the line stands."""
+
+    node: LineNode
+    settings: Mapping[str, Any]
+
+    @property
+    def text(self) -> str:
+        """The line's text without its ending."""
+        return self.node.text
+
+    def said(self, part: Any) -> str:
+        """The text of a node, token or problem."""
+        return self.node.text[part.start : part.end]
+
+
+class Syntax(NamedTuple):
+    """The rule is called for each Problem of its own name: `check(line, problem)`."""
+
+
+class Nodes(NamedTuple):
+    """The rule is called for each node of these kinds: `check(line, node)`. Lines without one cost nothing."""
+
+    kinds: tuple[str, ...]
+
+
+class Text(NamedTuple):
+    """The rule is called for each line in whose text the pattern is found: `check(line)`. The pattern must not match a line end."""
+
+    pattern: str
+
+
+class Long(NamedTuple):
+    """The rule is called for each line of more than that many characters: `check(line)`."""
+
+    characters: int
+
+
+class Structure(NamedTuple):
+    """The rule is called for each structure fault of these sorts: `check(fault)`; reports must name a line."""
+
+    faults: tuple[Fault, ...]
+
+
+class Whole(NamedTuple):
+    """The rule is called once: `check(analysis)`; reports must name a line."""
+
+
+Trigger = Syntax | Nodes | Text | Long | Structure | Whole
+Check = Callable[..., Iterator[Report]]
+
+
+@dataclass(frozen=True, eq=False)
+class Rule:
+    """A rule as it is found in its file."""
+
+    name: str
+    severity: Severity
+    trigger: Trigger
+    check: Check
+    page: str
+    default: bool
+
+    @property
+    def short(self) -> str:
+        """The name without its dialect."""
+        return self.name.partition(".")[2]
+
+    @property
+    def summary(self) -> str:
+        """The page's first line."""
+        return self.page.strip().partition("\n")[0]
+
+
+def rule(severity: Severity, trigger: Trigger, *, default: bool = True) -> Callable[[Check], Rule]:
+    """Make a generator the rule of its file. ``default``: whether it speaks unless asked to be silent."""
+
+    def made(check: Check) -> Rule:
+        module = check.__module__
+        folder, file = module.split(".")[-2:]
+        name = f"{folder}.{file.replace('_', '-')}"
+        return Rule(name, severity, trigger, check, sys.modules[module].__doc__ or "", default)
+
+    return made
+
+
+def rules_of(dialect: str) -> tuple[Rule, ...]:
+    """All rules of a dialect, by name: those of its folder, and the common ones under the dialect's name."""
+    common = (_renamed(rule, dialect) for rule in _found("deburr.rules.common"))
+    own = _found(f"deburr.rules.{dialect}")
+    return tuple(sorted((*own, *common), key=lambda rule: rule.name))
+
+
+def _found(package: str) -> Iterator[Rule]:
+    try:
+        folder = import_module(package)
+    except ModuleNotFoundError:
+        return
+    for module in iter_modules(folder.__path__):
+        if not module.name.startswith("_"):
+            values = vars(import_module(f"{package}.{module.name}")).values()
+            yield from (value for value in values if isinstance(value, Rule))
+
+
+def _renamed(rule: Rule, dialect: str) -> Rule:
+    return Rule(f"{dialect}.{rule.short}", rule.severity, rule.trigger, rule.check, rule.page, rule.default)
+
+
+def expected(problem: Problem) -> str:
+    """The expected set as the end of a message: `; expected a number or `[``, or nothing."""
+    words = problem.expected
+    if not words:
+        return ""
+    if len(words) == 1:
+        return f"; expected {words[0]}"
+    return f"; expected {', '.join(words[:-1])} or {words[-1]}"
+
+
+def whole(part: Node | Problem) -> Span:
+    """The columns of a node or a problem."""
+    return Span(part.start, part.end)
+
+
+LineCheck = Callable[[Line], Iterator[Report]]
+WholeCheck = Callable[["Analysis"], Iterator[Report]]
+FaultCheck = Callable[[StructureFault], Iterator[Report]]
