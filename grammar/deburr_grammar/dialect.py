@@ -95,6 +95,8 @@ class Kind(Enum):
     LIST = "a list of texts"
     TABLE = "a table"
     PATH = "a file or folder"
+    PATHS = "a list of files or folders"
+    FLAG = "true or false"
 
 
 @dataclass(frozen=True, slots=True)

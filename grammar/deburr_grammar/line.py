@@ -54,7 +54,13 @@ class Shape:
     @property
     def readable(self) -> bool:
         """Whether the line is of a length and depth that a program could have."""
-        return len(self.text) <= LONGEST and len(_OPENING.findall(self.text)) <= DEEPEST
+        return not self._beyond()
+
+    def _beyond(self) -> str:
+        """Which limit the line is beyond."""
+        if len(self.text) > LONGEST:
+            return "line-too-long"
+        return "line-too-deep" if len(_OPENING.findall(self.text)) > DEEPEST else ""
 
     def tree(self, reading: Reading) -> Node:
         """The tree in columns of the shape; recently used ones are kept."""
@@ -63,8 +69,8 @@ class Shape:
     def _read(self, reading: Reading) -> Facts:
         if reading.start is None:
             return _NOTHING
-        if not self.readable:
-            return Facts((Problem("line-too-long", 0, len(self.text)),), frozenset())
+        if beyond := self._beyond():
+            return Facts((Problem(beyond, 0, len(self.text)),), frozenset())
         parsed = _parse(self.dialect, reading, self.text)
         problems = () if parsed.fault is None else (self.dialect.diagnose(parsed.fault),)
         return Facts(problems, _interned(frozenset(part.kind for part in walk(parsed.tree))))

@@ -9,6 +9,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from deburr_grammar.dialect import Bracket, Role
+from deburr_grammar.text import Span
 
 CUTS = (Role.REGION, Role.END_REGION)
 
@@ -67,6 +68,7 @@ class Fault(Enum):
     UNOPENED = "closes what nothing opened"
     UNCLOSED = "is never closed"
     MISMATCH = "closes a block of another kind or label"
+    ACROSS = "holds a region inside, which no block may"
     CROSSED = "closes a block across one that was opened inside it"
     REGION_UNOPENED = "ends a region that nothing started"
     REGION_UNCLOSED = "starts a region that is never ended"
@@ -148,7 +150,11 @@ class Reduction(NamedTuple):
         found += [StructureFault(Fault.UNOPENED, closer) for closer in self.closers]
         found += [StructureFault(Fault.UNCLOSED, opener) for opener in self.openers]
         found += _boundaries(None, self.first) + _boundaries(self.last, None)
-        return tuple(sorted(explained(found), key=lambda fault: (fault.at.line, fault.at.bracket.span)))
+        return tuple(sorted(explained(sorted(found, key=_order)), key=_order))
+
+
+def _order(fault: StructureFault) -> tuple[int, Span]:
+    return fault.at.line, fault.at.bracket.span
 
 
 NOTHING = Reduction()
@@ -181,26 +187,58 @@ def reduction(brackets: Iterable[tuple[int, Bracket]]) -> Reduction:
 
 
 def explained(faults: Iterable[StructureFault]) -> list[StructureFault]:
-    """Mismatches in the words of labels: two that swap their labels are blocks that cross, and one whose own opener stays open is a closer left out."""
-    found = list(faults)
-    mismatches = [fault for fault in found if fault.fault is Fault.MISMATCH]
-    for one in mismatches:
-        partner = next((two for two in mismatches if two is not one and _swapped(one, two)), None)
-        if partner is not None and one in found and partner in found:
-            found.remove(partner)
-            found[found.index(one)] = StructureFault(Fault.CROSSED, one.at, one.other)
+    """Each mistake once, in the words of labels.
+
+    Two mismatches that swap their labels are blocks that cross; a mismatch whose own opener
+    stays open is a closer left out; an opener and a closer that only a region boundary keeps
+    apart are one block around a region; the end of a region inside which another was started has
+    been spoken of already.
+    """
+    found: list[StructureFault | None] = list(faults)
+    known = _Index(found)
+    for at, fault in enumerate(found):
+        if fault is None or found[at] is None:
             continue
-        left = next((two for two in found if two.fault is Fault.UNCLOSED and _ties(two.at.bracket, one.at.bracket)), None)
-        if left is not None and one in found and one.other is not None:
-            found.remove(left)
-            found[found.index(one)] = StructureFault(Fault.UNCLOSED, one.other, one.at)
-    return found
+        if fault.fault is Fault.UNCLOSED and known.take(found, (Fault.UNOPENED, _key(fault.at.bracket), None), at):
+            found[at] = StructureFault(Fault.ACROSS, fault.at)
+        if fault.other is None:
+            continue
+        end, start = _key(fault.at.bracket), _key(fault.other.bracket)
+        if fault.fault is Fault.MISMATCH:
+            if known.take(found, (Fault.MISMATCH, start, end), at):
+                found[at] = StructureFault(Fault.CROSSED, fault.at, fault.other)
+            elif known.take(found, (Fault.UNCLOSED, end, None), -1):
+                found[at] = StructureFault(Fault.UNCLOSED, fault.other, fault.at)
+        elif fault.fault is Fault.REGION_NESTED:
+            outer = known.take(found, (Fault.REGION_UNOPENED, start, None), at)
+            _ = outer or known.take(found, (Fault.REGION_MISMATCH, start, end), at)
+    return [fault for fault in found if fault is not None]
 
 
-def _swapped(one: StructureFault, two: StructureFault) -> bool:
-    assert one.other is not None and two.other is not None
-    inner = one.at.line <= two.at.line
-    return inner and _ties(two.other.bracket, one.at.bracket) and _ties(one.other.bracket, two.at.bracket)
+_Key = tuple[str, str | None]
+
+
+class _Index:
+    """Faults by what they are of: sort, the key of the bracket that is marked, the key of the other end."""
+
+    def __init__(self, faults: Iterable[StructureFault | None]) -> None:
+        self._at: dict[tuple[Fault, _Key, _Key | None], list[int]] = {}
+        for at, fault in enumerate(faults):
+            if fault is not None:
+                other = _key(fault.other.bracket) if fault.other is not None else None
+                self._at.setdefault((fault.fault, _key(fault.at.bracket), other), []).append(at)
+
+    def take(self, found: list[StructureFault | None], key: tuple[Fault, _Key, _Key | None], behind: int) -> bool:
+        """Strike out the first such fault behind a place; whether there was one."""
+        for at in self._at.get(key, ()):
+            if at > behind and found[at] is not None:
+                found[at] = None
+                return True
+        return False
+
+
+def _key(bracket: Bracket) -> _Key:
+    return bracket.kind, bracket.label
 
 
 def _ties(opener: Bracket, closer: Bracket) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -15,8 +15,9 @@ from deburr_grammar.structure import StructureFault
 from deburr.blocks import Scope, scopes
 from deburr.finding import Finding, Place, Related
 from deburr.host import Host, NoFiles
-from deburr.rule import Note, Report, Rule, Structure
+from deburr.rule import Note, Notice, Report, Rule, Structure
 from deburr.ruleset import RuleSet
+from deburr.suppress import allowed, is_allowed
 
 
 class _Local(NamedTuple):
@@ -30,11 +31,22 @@ class _Local(NamedTuple):
 class Analysis:
     """A document, its rule set and the files around it."""
 
-    def __init__(self, document: Document, ruleset: RuleSet, file: str = "", host: Host | None = None) -> None:
+    def __init__(
+        self,
+        document: Document,
+        ruleset: RuleSet,
+        file: str = "",
+        host: Host | None = None,
+        notices: Sequence[Notice] = (),
+    ) -> None:
         self.document = document
         self.ruleset = ruleset
         self.file = file
         self.host: Host = host or NoFiles()
+        self.memo: dict[Any, Any] = {}
+        """Room for what several rules derive from the program and its files, each under a key of its own."""
+        self.notices = tuple(notices)
+        """What was met before the text was there to be read."""
 
     @property
     def dialect(self) -> Dialect:
@@ -58,21 +70,29 @@ class Analysis:
             found += self.fault_findings(fault)
         for rule in self.ruleset.on_whole:
             found += [self._finding(report.line, _Local(0, rule, report)) for report in rule.check(self)]
-        return sorted(found, key=lambda finding: finding.order)
+        found += self._noticed(self.notices)
+        kept = allowed(self.document, found, self.ruleset)
+        return sorted([*kept.findings, *self._noticed(kept.notices)], key=lambda finding: finding.order)
 
     def line_findings(self, line: int) -> list[Finding]:
-        """The findings that a line alone decides."""
+        """The findings that a line alone decides, but for those that a comment allows."""
         piece = self.document.piece(line)
-        return [self._finding(line, local) for local in self._on_piece(piece) if piece.line + local.line == line]
+        found = (self._finding(line, local) for local in self._on_piece(piece) if piece.line + local.line == line)
+        return [finding for finding in found if not is_allowed(self.document, finding)]
 
     def fault_findings(self, fault: StructureFault) -> list[Finding]:
-        """What the rules say of a fault of structure."""
+        """What the rules say of a fault of structure, whether a comment allows it or not."""
         return [
             self._finding(report.line, _Local(0, rule, report))
             for rule in self.ruleset.on_structure
             if isinstance(rule.trigger, Structure) and fault.fault in rule.trigger.faults
             for report in rule.check(fault)
         ]
+
+    def _noticed(self, notices: Iterable[Notice]) -> Iterator[Finding]:
+        for notice in notices:
+            if rule := self.ruleset.on_notice.get(notice.kind):
+                yield from (self._finding(report.line, _Local(0, rule, report)) for report in rule.check(notice))
 
     def _locals(self) -> Iterator[tuple[Piece, _Local]]:
         for piece in self.document.pieces():

@@ -24,7 +24,7 @@ from deburr.finding import Severity
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
-__all__ = ["Line", "Long", "Nodes", "Note", "Report", "Rule", "Severity", "Structure", "Syntax", "Text", "Whole", "expected", "rule", "whole"]
+__all__ = ["Line", "Long", "Nodes", "Note", "Notice", "Noticed", "Report", "Rule", "Severity", "Structure", "Syntax", "Text", "Whole", "covers", "expected", "rule", "whole"]
 
 
 class Note(NamedTuple):
@@ -93,7 +93,20 @@ class Whole(NamedTuple):
     """The rule is called once: `check(analysis)`; reports must name a line."""
 
 
-Trigger = Syntax | Nodes | Text | Long | Structure | Whole
+class Notice(NamedTuple):
+    """Something that is no part of the program's grammar but was met on the way: ``kind`` is a rule's short name, ``said`` what the message is about."""
+
+    kind: str
+    line: int
+    span: Span
+    said: str
+
+
+class Noticed(NamedTuple):
+    """The rule is called for each notice of its own name: `check(notice)`; reports must name a line."""
+
+
+Trigger = Syntax | Nodes | Text | Long | Structure | Whole | Noticed
 Check = Callable[..., Iterator[Report]]
 
 
@@ -132,21 +145,35 @@ def rule(severity: Severity, trigger: Trigger, *, default: bool = True) -> Calla
 
 
 def rules_of(dialect: str) -> tuple[Rule, ...]:
-    """All rules of a dialect, by name: those of its folder, and the common ones under the dialect's name."""
-    common = (_renamed(rule, dialect) for rule in _found("deburr.rules.common"))
-    own = _found(f"deburr.rules.{dialect}")
-    return tuple(sorted((*own, *common), key=lambda rule: rule.name))
+    """All rules of a dialect, by name: those of its folder, and the common ones under the dialect's name where it has none of that name."""
+    common = [_renamed(rule, dialect) for rule in _found("deburr.rules.common")]
+    rules = {rule.name: rule for rule in (*common, *_found(f"deburr.rules.{dialect}"))}
+    return tuple(rules[name] for name in sorted(rules))
+
+
+def rule_names(dialect: str) -> tuple[str, ...]:
+    """The names of all rules of a dialect in order, read off the files: no rule is loaded."""
+    modules = {*_modules("deburr.rules.common"), *_modules(f"deburr.rules.{dialect}")}
+    return tuple(sorted(f"{dialect}.{module.replace('_', '-')}" for module in modules))
+
+
+def covers(prefix: str, name: str) -> bool:
+    """Whether a name, or the first words of one, means a rule: `cgt.table` covers `cgt.table-missing`, not `cgt.tables`."""
+    return name == prefix or name.startswith((f"{prefix}.", f"{prefix}-"))
 
 
 def _found(package: str) -> Iterator[Rule]:
+    for module in _modules(package):
+        values = vars(import_module(f"{package}.{module}")).values()
+        yield from (value for value in values if isinstance(value, Rule))
+
+
+def _modules(package: str) -> Iterator[str]:
     try:
         folder = import_module(package)
     except ModuleNotFoundError:
         return
-    for module in iter_modules(folder.__path__):
-        if not module.name.startswith("_"):
-            values = vars(import_module(f"{package}.{module.name}")).values()
-            yield from (value for value in values if isinstance(value, Rule))
+    yield from (module.name for module in iter_modules(folder.__path__) if not module.name.startswith("_"))
 
 
 def _renamed(rule: Rule, dialect: str) -> Rule:
@@ -171,3 +198,4 @@ def whole(part: Node | Problem) -> Span:
 LineCheck = Callable[[Line], Iterator[Report]]
 WholeCheck = Callable[["Analysis"], Iterator[Report]]
 FaultCheck = Callable[[StructureFault], Iterator[Report]]
+NoticeCheck = Callable[[Notice], Iterator[Report]]

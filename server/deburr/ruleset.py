@@ -11,7 +11,7 @@ from deburr_grammar.dialect import Dialect, Reading
 from deburr_grammar.line import LineNode, Shape
 
 from deburr.finding import Severity
-from deburr.rule import Line, Long, Nodes, Report, Rule, Structure, Syntax, Text, Whole, rules_of
+from deburr.rule import Line, Long, Nodes, Noticed, Report, Rule, Structure, Syntax, Text, Whole, covers, rules_of
 
 Planned = Callable[[Line], Iterator[tuple[Rule, Report]]]
 _PLANS = 100_000
@@ -29,13 +29,23 @@ class RuleSet:
     ) -> None:
         self.dialect = dialect
         self.settings = {setting.name: setting.default for setting in dialect.settings} | dict(settings or {})
-        self.rules = tuple(rule for rule in rules_of(dialect.name) if selected(rule))
+        self._all = rules_of(dialect.name)
+        self.rules = tuple(rule for rule in self._all if selected(rule))
         self._severities = dict(severities or {})
         self._plans: dict[tuple[Shape, Reading], tuple[Rule, ...]] = {}
 
     def severity(self, rule: Rule) -> Severity:
         """The severity of a rule's findings."""
         return self._severities.get(rule.name, rule.severity)
+
+    def knows(self, name: str) -> bool:
+        """Whether a name or prefix means any rule of the dialect, on or off."""
+        return any(covers(name, rule.name) for rule in self._all)
+
+    def speaks(self, name: str) -> bool:
+        """Whether all that a name or prefix is expected to mean is on: only then does silence say something."""
+        meant = {rule for rule in self._all if rule.name == name or (rule.default and covers(name, rule.name))}
+        return bool(meant) and meant <= set(self.rules)
 
     def plan(self, shape: Shape, reading: Reading) -> tuple[Rule, ...]:
         """The rules that may have something to say of lines of a shape: decided once a shape."""
@@ -83,6 +93,11 @@ class RuleSet:
     def on_whole(self) -> tuple[Rule, ...]:
         """Rules on the program as a whole."""
         return tuple(rule for rule in self.rules if isinstance(rule.trigger, Whole))
+
+    @cached_property
+    def on_notice(self) -> Mapping[str, Rule]:
+        """Rules on notices, by the kind that they word."""
+        return {rule.short: rule for rule in self.rules if isinstance(rule.trigger, Noticed)}
 
     @cached_property
     def _on_syntax(self) -> tuple[Rule, ...]:

@@ -8,7 +8,7 @@ from deburr.rule import Rule, rules_of
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.document import Document
-from support.pages import MemoryHost, examples
+from support.pages import checked, examples
 
 RULES = [(name, rule) for name in NAMES for rule in rules_of(name)]
 
@@ -18,10 +18,7 @@ def test_examples_give_exactly_the_rule_at_the_marked_places(dialect: str, rule:
     blocks = list(examples(rule, by_name(dialect)))
     assert any(not block.good for block in blocks) and any(block.good for block in blocks)
     for block in blocks:
-        language = by_name(dialect)
-        ruleset = RuleSet(language, block.settings, selected=lambda each: each.default or each.name == rule.name)
-        document = Document.parse(block.program, language)
-        findings = Analysis(document, ruleset, "", MemoryHost(block.files)).findings()
+        findings = checked(block, by_name(dialect), lambda each: each.default or each.name == rule.name)
         found = [(f.rule, f.place.line, f.place.col, f.place.end_col) for f in findings]
         assert found == [(rule.name, *place) for place in block.places], block.program
         assert bool(found) is not block.good
@@ -31,7 +28,7 @@ def test_examples_give_exactly_the_rule_at_the_marked_places(dialect: str, rule:
 def test_pages_are_complete(dialect: str, rule: Rule) -> None:
     lines = rule.page.strip().split("\n")
     assert lines[0].endswith(".") and len(lines[0]) <= 80
-    assert re.search(r"^Source: spec/", rule.page, re.M)
+    assert re.search(r"^Source: (?:spec/|interface\.md|deburr)", rule.page, re.M)
     assert re.fullmatch(rf"{dialect}\.[a-z0-9]+(-[a-z0-9]+)*", rule.name)
 
 

@@ -1,19 +1,19 @@
 """Rule pages as tests: the `Bad:` and `Good:` blocks of a rule's docstring with what they must give."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from deburr.analysis import Analysis
+from deburr import source
+from deburr.check import check
 from deburr.finding import Finding
+from deburr.page import CARETS, page_of
 from deburr.rule import Rule
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialect import Dialect
-from deburr_grammar.document import Document
 
-_BLOCK = re.compile(r"^(Bad|Good)(?: \((?P<options>[^)]*)\))?:\n\n?((?:(?:    .*)?\n)+)", re.M)
-_CARETS = re.compile(r"[ ]*\^+(?:[ ]+\^+)*[ ]*")
 _FILE = re.compile(r"^-- (.+) --$")
+_BYTES = str.maketrans({"␀": "\0", "␚": "\x1a"})
 
 
 @dataclass(frozen=True)
@@ -32,13 +32,14 @@ def examples(rule: Rule, dialect: Dialect) -> Iterator[Example]:
 
     `Bad (whole):` is a program of its own, without the dialect's frame; `Bad (profile=smithy):`
     sets a setting; a value with `|` is a list. A line `-- NAME --` starts another file.
+    In a whole program `{}` is the frame with nothing in it; `␀` and `␚` stand for the bytes that they are pictures of.
     """
-    for match in _BLOCK.finditer(rule.page + "\n"):
-        options = [option.strip() for option in (match["options"] or "").split(",") if option.strip()]
-        lines = [line[4:] for line in match[3].rstrip("\n").split("\n")]
-        frame = "{}" if "whole" in options else dialect.frame
-        settings = dict(option.split("=", 1) for option in options if "=" in option)
-        yield _example(match[1] == "Good", lines, frame, {name: _value(said) for name, said in settings.items()})
+    for block in page_of(rule, dialect).blocks:
+        frame = "{}" if "whole" in block.options else dialect.frame
+        bare = dialect.frame.replace("{}\n", "").replace("{}", "").removesuffix("\n")
+        lines = [line.replace("{}", bare) for line in block.lines]
+        settings = dict(option.split("=", 1) for option in block.options if "=" in option)
+        yield _example(block.good, lines, frame, {name: _value(said) for name, said in settings.items()})
 
 
 def _value(said: str) -> object:
@@ -48,20 +49,22 @@ def _value(said: str) -> object:
 def _example(good: bool, lines: Sequence[str], frame: str, settings: Mapping[str, object]) -> Example:
     files: dict[str, list[str]] = {"": []}
     places: list[tuple[int, int, int]] = []
-    current = ""
+    current, row = "", 0
     first = frame[: frame.index("{}")].count("\n")
     for line in lines:
         if named := _FILE.match(line):
             current = named[1]
             files[current] = []
-        elif _CARETS.fullmatch(line):
+        elif CARETS.fullmatch(line):
             assert not current, "carets mark the program itself, not another file"
-            row = first + len(files[""]) - 1
-            places += [(row, run.start(), run.end()) for run in re.finditer(r"\^+", line)]
+            places += [(first + row, run.start(), run.end()) for run in re.finditer(r"\^+", line)]
         else:
-            files[current].append(line)
+            row = len(files[current])
+            files[current] += line.split("\n")
     program = frame.replace("{}", "\n".join(files.pop("")))
-    return Example(good, program, {name: "\n".join(text) + "\n" for name, text in files.items()}, settings, tuple(places))
+    return Example(
+        good, program, {name: "\n".join(text) + "\n" for name, text in files.items()}, settings, tuple(places)
+    )
 
 
 class MemoryHost:
@@ -78,7 +81,10 @@ class MemoryHost:
         return sorted({path[len(inside) :].split("/")[0] for path in self._files if path.startswith(inside)})
 
 
-def checked(example: Example, dialect: Dialect) -> list[Finding]:
-    """What all default rules of the dialect, and the named rule, say of an example."""
-    ruleset = RuleSet(dialect, example.settings)
-    return Analysis(Document.parse(example.program, dialect), ruleset, "", MemoryHost(example.files)).findings()
+def checked(
+    example: Example, dialect: Dialect, selected: Callable[[Rule], bool] = lambda rule: rule.default
+) -> list[Finding]:
+    """What all default rules of the dialect, or those that are selected, say of an example."""
+    program = source.read(example.program.translate(_BYTES).encode())
+    assert isinstance(program, source.Source)
+    return check(program, dialect, RuleSet(dialect, example.settings, selected), "", MemoryHost(example.files))

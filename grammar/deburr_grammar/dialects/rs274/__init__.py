@@ -16,7 +16,7 @@ DIALECT = Dialect(
     folding=Folding(
         # The numbers of G and M codes decide what a line is; rules are kept with its shape.
         protect=r"[GgMm][ \t]*[0-9][0-9 \t]*(?:\.[0-9 \t]*)?",
-        inert=rf"\((?<=(\())(?!{_ACTIVE})[^()\n]*(\))|;(?<=(;))[^\n]*",
+        inert=rf"(\((?={_ACTIVE})[^()\n]*\)?)|\((?<=(\())[^()\n]*(\))|;(?<=(;))[^\n]*",
     ),
     outline=RS274Outline(),
     diagnose=diagnose,

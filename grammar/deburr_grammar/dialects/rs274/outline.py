@@ -94,9 +94,8 @@ def _behind(state: State, bracket: Bracket) -> State:
 
 
 def _bracket(line: LineNode, state: State) -> Bracket | None:
-    o_line = next(line.find("o_line"), None)
-    if o_line is None:
-        return None
+    # Of a faulty line the parts that were read stand directly in the tree: it still opens or closes its block.
+    o_line = next(line.find("o_line"), line.tree)
     command = next((part for part in o_line.children if isinstance(part, Token) and part.kind in _COMMANDS), None)
     label = o_line.node("label")
     if command is None or label is None:
@@ -105,7 +104,9 @@ def _bracket(line: LineNode, state: State) -> Bracket | None:
     name = label_of(line.text, label)
     if command.kind == "WHILE" and name in state.dos:
         role, kind = Role.CLOSE, "do"
-    return Bracket(role, kind, command.kind.lower(), name, Span(o_line.start, command.end))
+    letter = o_line.find("O")
+    assert letter is not None
+    return Bracket(role, kind, command.kind.lower(), name, Span(letter.start, command.end))
 
 
 def label_of(text: str, label: Node) -> str | None:

@@ -77,8 +77,8 @@ def _name(fault: SyntaxFault) -> Place | None:
 def _line_number(fault: SyntaxFault) -> Place | None:
     before = fault.before
     if before is not None and before.kind == "N":
-        return "line-number", before.start, max(fault.end, before.end)
-    return ("line-number", fault.start, fault.end) if _letter(fault) == "n" and _between_words(fault) else None
+        return "line-number", before.start, max(before.end, min(fault.start + 1, len(fault.text)))
+    return ("line-number", fault.start, fault.start + 1) if _letter(fault) == "n" and _between_words(fault) else None
 
 
 def _o_word(fault: SyntaxFault) -> Place | None:

@@ -1,7 +1,8 @@
-"""Block that is never closed.
+"""Block or subprogram that is never closed.
 
-An `if`, `while`, `do` or `repeat` without its end may run by luck, as long as the control
-need not look for that end; when it does, it reads to the end of the file and stops.
+An `if`, `while`, `do` or `repeat` without its end may run by luck, as long as the control need not
+look for that end; when it does, it reads to the end of the file and stops. A `sub` without its
+`endsub` always does.
 
 Source: spec/rs274.md §6
 
@@ -11,30 +12,37 @@ Bad:
     ^^^^^
       G0 X1
 
+Bad:
+
+    o1 while [#1 LT 2]
+      o2 if [1]
+      ^^^^^
+    o1 endwhile
+
+Bad:
+
+    o<drill> sub
+    ^^^^^^^^^^^^
+      G0 X1
+
 Good:
 
-    o1 if [1]
-      G0 X1
-    o1 endif
+    o1 do
+      o2 if [1]
+      o2 endif
+    o1 while [0]
 """
 
 from collections.abc import Iterator
 
+from deburr.rule import Report, Severity, Structure, rule
+from deburr.rules.rs274._o_words import end, note, said
 from deburr_grammar.structure import Fault, StructureFault
 
-from deburr.rule import Note, Report, Severity, Structure, rule
 
-
-@rule(Severity.ERROR, Structure((Fault.UNCLOSED,)))
+@rule(Severity.ERROR, Structure((Fault.UNCLOSED, Fault.REGION_UNCLOSED)))
 def check(fault: StructureFault) -> Iterator[Report]:
     """Report the opener."""
     opener = fault.at.bracket
-    related = ()
-    if fault.other is not None:
-        other = fault.other.bracket
-        related = (Note(fault.other.line, other.span, f"`o{other.label} {other.word}` is reached first"),)
-    message = f"`o{opener.label} {opener.word}` is never closed; `o{opener.label} {_END[opener.kind]}` is missing"
-    yield Report(opener.span, message, fault.at.line, related)
-
-
-_END = {"if": "endif", "while": "endwhile", "do": "while", "repeat": "endrepeat"}
+    related = (note(fault.other, "is reached first"),) if fault.other is not None else ()
+    yield Report(opener.span, f"{said(opener)} is never closed; {end(opener)} is missing", fault.at.line, related)

@@ -1,0 +1,18 @@
+"""One definition of every operator and function of each language, for constants in a line, proven values and the expander alike.
+
+A module is named after its dialect and found by that name. Results are values or
+`ArithmeticFault`s; a fault is never raised, because a faulty program is no error of ours.
+"""
+
+from dataclasses import dataclass
+
+from deburr_grammar.tree import Node, Token
+
+
+@dataclass(frozen=True, slots=True)
+class ArithmeticFault:
+    """An operation that the control refuses: the rule's short name, what to blame, and why in the user's words."""
+
+    rule: str
+    part: Node | Token
+    why: str

@@ -1,0 +1,43 @@
+"""What several rules on literal values share."""
+
+from collections.abc import Iterator
+
+from deburr.arithmetic import ArithmeticFault
+from deburr.arithmetic.rs274 import constant
+from deburr.rule import Line, Report
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node, Token
+
+NEAR = 1e-4
+"""How near to an integer a value must be where one is required (spec/rs274.md §1.2)."""
+
+
+def faults(line: Line, node: Node, rule: str) -> Iterator[Report]:
+    """The fault of that name for which an operation of its own is to blame, not one inside it."""
+    value = constant(line.text, node, line.settings)
+    if isinstance(value, ArithmeticFault) and value.rule == rule and _own(node, value.part):
+        said = line.text[node.start : node.end]
+        yield Report(Span(value.part.start, value.part.end), f"`{said}` is {value.why}; the control stops here")
+
+
+def _own(node: Node, part: Node | Token) -> bool:
+    return part is node or any(part is child for child in node.children)
+
+
+def index(line: Line, param: Node) -> float | None:
+    """The number of a numbered parameter if the line alone decides it."""
+    value = constant(line.text, param.children[1], line.settings)
+    return value if isinstance(value, float) else None
+
+
+def name(line: Line, param: Node) -> str | None:
+    """The name of a named parameter as the control compares it: lower case, without blanks; None for a numbered one."""
+    said = param.children[1]
+    if said.kind != "NAME":
+        return None
+    return "".join(line.text[said.start : said.end].split()).strip("<>").lower()
+
+
+def asked(line: Line, param: Node) -> bool:
+    """Whether a parameter is what an EXISTS asks for: then it is not read."""
+    return any(exists.start <= param.start < exists.end for exists in line.node.find("exists"))

@@ -1,0 +1,30 @@
+"""Block delete sign that is not the first of its line.
+
+`/` deletes a block only as its very first sign, before the line number. Elsewhere it is a bad
+character.
+
+Source: spec/rs274.md §1.3
+
+Bad:
+
+    G0 /X1
+       ^
+    N5 /G0 X1
+       ^
+
+Good:
+
+    /N5 G0 X1
+"""
+
+from collections.abc import Iterator
+
+from deburr_grammar.problem import Problem
+
+from deburr.rule import Line, Report, Severity, Syntax, rule, whole
+
+
+@rule(Severity.ERROR, Syntax())
+def check(line: Line, problem: Problem) -> Iterator[Report]:
+    """Report the sign."""
+    yield Report(whole(problem), "`/` must be the first sign of the line; the control stops at it here")

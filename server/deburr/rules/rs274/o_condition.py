@@ -1,0 +1,33 @@
+"""Condition or count that is not in brackets.
+
+`if`, `elseif`, `while` and `repeat` take one value in brackets, even if it is a single parameter.
+The control misses the left bracket and stops.
+
+Source: spec/rs274.md §6
+
+Bad:
+
+    o1 if #1
+       ^^
+      o2 repeat 5
+         ^^^^^^
+      o2 endrepeat
+    o1 endif
+
+Good:
+
+    o1 if [#1]
+    o1 endif
+"""
+
+from collections.abc import Iterator
+
+from deburr_grammar.problem import Problem
+
+from deburr.rule import Line, Report, Severity, Syntax, rule, whole
+
+
+@rule(Severity.ERROR, Syntax())
+def check(line: Line, problem: Problem) -> Iterator[Report]:
+    """Report the command."""
+    yield Report(whole(problem), f"`{line.said(problem)}` needs its value in brackets, `{line.said(problem)} [...]`")

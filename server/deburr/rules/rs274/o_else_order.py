@@ -1,0 +1,50 @@
+"""Branch after `else`.
+
+A second `else`, or an `elseif` after `else`, is accepted and never runs.
+
+Source: spec/rs274.md §6
+
+Bad:
+
+    o1 if [#1]
+    o1 else
+    o1 else
+    ^^^^^^^
+    o1 endif
+
+Bad:
+
+    o1 if [#1]
+    o1 else
+    o1 else if [#2]
+    ^^^^^^^^^^
+    o1 endif
+
+Good:
+
+    o1 if [#1]
+    o1 elseif [#2]
+    o1 else
+    o1 endif
+"""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.rs274._o_words import note, said
+
+if TYPE_CHECKING:
+    from deburr.analysis import Analysis
+
+
+@rule(Severity.WARNING, Whole())
+def check(analysis: "Analysis") -> Iterator[Report]:
+    """Report every branch behind the first `else` of a block."""
+    for scope in analysis.scopes:
+        for block, _ in scope.blocks():
+            branches = [placed for placed in block.middles() if placed.bracket.word in ("else", "elseif")]
+            first = next((at for at, placed in enumerate(branches) if placed.bracket.word == "else"), len(branches))
+            for placed in branches[first + 1 :]:
+                message = f"{said(placed.bracket)} comes after the `else` of its block and never runs"
+                yield Report(placed.bracket.span, message, placed.line, (note(branches[first]),))

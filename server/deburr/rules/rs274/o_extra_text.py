@@ -1,0 +1,38 @@
+"""Text beside an O-word.
+
+An O-word stands alone on its line, with nothing before it but a line number and nothing behind
+what its command takes but a comment. The control stops with "Unexpected character after O-word".
+
+Source: spec/rs274.md §6
+
+Bad:
+
+    o1 if [1] G0 X1
+              ^^^^^
+    o1 endif
+
+Bad:
+
+    o<drill> call 5
+                  ^
+    G0 X1 o2 call
+          ^^^^^^^
+
+Good:
+
+    N10 o1 if [1] (first)
+      G0 X1
+    o1 endif ; last
+"""
+
+from collections.abc import Iterator
+
+from deburr_grammar.problem import Problem
+
+from deburr.rule import Line, Report, Severity, Syntax, rule, whole
+
+
+@rule(Severity.ERROR, Syntax())
+def check(line: Line, problem: Problem) -> Iterator[Report]:
+    """Report the text."""
+    yield Report(whole(problem), f"`{line.said(problem)}` cannot share a line with an O-word")

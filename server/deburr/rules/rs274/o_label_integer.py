@@ -1,0 +1,32 @@
+"""O-word number that is no integer.
+
+An O-word's number must be an integer; the control stops with "Non integer value for integer".
+
+Source: spec/rs274.md §6
+
+Bad:
+
+    o1.5 call
+     ^^^
+
+Good:
+
+    o1.0 call
+    o<drill 1.5> call
+"""
+
+from collections.abc import Iterator
+
+from deburr.arithmetic.rs274 import constant
+from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.rs274._values import NEAR
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node
+
+
+@rule(Severity.ERROR, Nodes(("label",)))
+def check(line: Line, node: Node) -> Iterator[Report]:
+    """Report the number."""
+    number = constant(line.text, node, line.settings)
+    if isinstance(number, float) and abs(number - round(number)) > NEAR:
+        yield Report(Span(node.start, node.end), f"`{line.said(node)}` is no integer; an O-word's number must be one")

@@ -1,0 +1,30 @@
+"""Operator outside brackets.
+
+Operators work only between `[` and `]`. Elsewhere the value ends where it can, and the control
+calls the operator a bad character.
+
+Source: spec/rs274.md §2
+
+Bad:
+
+    #4=#1+2
+         ^
+    G0 X10/2
+          ^
+
+Good:
+
+    #4=[#1+2]
+"""
+
+from collections.abc import Iterator
+
+from deburr_grammar.problem import Problem
+
+from deburr.rule import Line, Report, Severity, Syntax, rule, whole
+
+
+@rule(Severity.ERROR, Syntax())
+def check(line: Line, problem: Problem) -> Iterator[Report]:
+    """Report the operator."""
+    yield Report(whole(problem), f"`{line.said(problem)}` calculates only inside brackets, as in `[#1{line.said(problem)}2]`")

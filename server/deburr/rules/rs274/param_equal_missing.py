@@ -1,0 +1,27 @@
+"""Parameter setting without `=`.
+
+A `#` at the start of a word is a setting and must go on with `=`.
+
+Source: spec/rs274.md §2
+
+Bad:
+
+    #1 G0 X5
+    ^^^
+
+Good:
+
+    #1=5
+"""
+
+from collections.abc import Iterator
+
+from deburr_grammar.problem import Problem
+
+from deburr.rule import Line, Report, Severity, Syntax, rule, whole
+
+
+@rule(Severity.ERROR, Syntax())
+def check(line: Line, problem: Problem) -> Iterator[Report]:
+    """Report the parameter."""
+    yield Report(whole(problem), f"`{line.said(problem).strip()}` is not followed by `=`; a parameter outside a value is a setting")

@@ -1,0 +1,60 @@
+"""Which rules are on: names and prefixes that select and ignore, in layers. Never loads a rule."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from deburr.rule import Rule, covers, rule_names
+from deburr.suggest import suggestion
+from deburr_grammar.dialects import NAMES
+
+ALL = "ALL"
+
+
+@dataclass(frozen=True, slots=True)
+class Selection:
+    """One layer: a configuration file or the command line. ``select`` None: what the layers below say stands."""
+
+    select: tuple[str, ...] | None = None
+    extend: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+
+    def verdict(self, rule: Rule) -> bool | None:
+        """What the layer says of a rule: the longest name that covers it decides, and ignoring wins a tie."""
+        chosen = max((len(name) for name in (*(self.select or ()), *self.extend) if means(name, rule.name)), default=0)
+        ignored = max((len(name) for name in self.ignore if means(name, rule.name)), default=0)
+        if chosen or ignored:
+            return chosen > ignored
+        return None if self.select is None else False
+
+
+def selected(rule: Rule, layers: Sequence[Selection], ignored: Iterable[str] = ()) -> bool:
+    """Whether a rule is on after all layers, the last one on top; what is ``ignored`` for a file is off whatever they say."""
+    on = rule.default
+    for layer in layers:
+        verdict = layer.verdict(rule)
+        on = on if verdict is None else verdict
+    return on and not any(means(name, rule.name) for name in ignored)
+
+
+def means(name: str, rule: str) -> bool:
+    """Whether a name, a prefix or `ALL` means a rule."""
+    return name == ALL or covers(name, rule)
+
+
+def unknown(name: str, *, whole: bool = False) -> str:
+    """What is wrong with a name that should mean rules, or nothing. ``whole``: it must be one rule's full name."""
+    if name == ALL and not whole:
+        return ""
+    dialect = name.partition(".")[0]
+    if dialect not in NAMES:
+        return f"`{name}` is no rule{suggestion(name, (*NAMES, *_all_names()))}"
+    names = rule_names(dialect)
+    if name in names or (not whole and any(covers(name, each) for each in names)):
+        return ""
+    if any(covers(name, each) for each in names):
+        return f"`{name}` means several rules, and one is wanted{suggestion(name, names)}"
+    return f"`{name}` is no rule{suggestion(name, names)}"
+
+
+def _all_names() -> list[str]:
+    return [name for dialect in NAMES for name in rule_names(dialect)]

@@ -1,0 +1,80 @@
+"""Bytes to text and nothing lost: encodings, byte order marks, the padding of tapes. Never looks at what the text means."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from deburr.rule import Notice
+from deburr_grammar.text import Span, split_lines
+
+PADDING = "nul-bytes"
+_BOM = b"\xef\xbb\xbf"
+_WIDE = (b"\xff\xfe", b"\xfe\xff")
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A program as text. ``lead`` and ``tail`` are the NULs and the final ^Z around it, which tapes and transfers leave; ``bom``: whether a byte order mark stood first."""
+
+    text: str
+    lead: str = ""
+    tail: str = ""
+    encoding: str = "utf-8"
+    bom: bool = False
+
+    @property
+    def lines(self) -> list[str]:
+        """The lines as an editor shows them: padding counts, a byte order mark does not."""
+        return split_lines(self.lead + self.text + self.tail)
+
+    @property
+    def shift(self) -> int:
+        """How many columns the first line of the text stands to the right of where it stands in the file."""
+        return len(self.lead)
+
+    def notices(self) -> Iterator[Notice]:
+        """What is to be said of the padding, in columns of the text: what leads it stands left of column 0."""
+        if self.lead:
+            yield Notice(PADDING, 0, Span(-len(self.lead), 0), _said(self.lead))
+        if self.tail:
+            last = split_lines(self.text)
+            col = len(last[-1])
+            yield Notice(PADDING, len(last) - 1, Span(col, col + len(self.tail)), _said(self.tail))
+
+
+@dataclass(frozen=True, slots=True)
+class NotAProgram:
+    """Bytes that no control takes for a program, and why."""
+
+    reason: str
+
+
+def read(data: bytes) -> Source | NotAProgram:
+    """The program in the bytes. Decoding itself never fails."""
+    if data.startswith(_WIDE):
+        return NotAProgram("this is UTF-16, not a program that a control reads; save it as UTF-8")
+    bom = data.startswith(_BOM)
+    body = data[len(_BOM) :] if bom else data
+    start = len(body) - len(body.lstrip(b"\0"))
+    end = max(start, len(body.rstrip(b"\0\x1a")))
+    at = body.find(b"\0", start, end)
+    if at >= 0:
+        return NotAProgram(f"a NUL byte at offset {at + len(data) - len(body)}: this is no program")
+    text, encoding = decoded(body[start:end])
+    return Source(text, "\0" * start, body[end:].decode("ascii"), encoding, bom)
+
+
+def decoded(data: bytes) -> tuple[str, str]:
+    """The text and the encoding that it is in: UTF-8, else cp1252, else latin-1, in which all bytes mean something."""
+    for encoding in ("utf-8", "cp1252"):
+        try:
+            return data.decode(encoding), encoding
+        except UnicodeDecodeError:
+            continue
+    return data.decode("latin-1"), "latin-1"
+
+
+def _said(padding: str) -> str:
+    count = padding.count("\0")
+    said = [f"{count} NUL byte{'s' if count > 1 else ''}"] if count else []
+    said += ["the end mark ^Z"] if len(padding) > count else []
+    return " and ".join(said)

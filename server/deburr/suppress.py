@@ -1,0 +1,136 @@
+"""Comments that allow a rule: `deburr: allow RULE[, RULE] [-- reason]`. Never decides whether a rule is right.
+
+Such a comment speaks for its own line, and alone on its line for the next one as well;
+several alone on lines that follow each other speak for the line behind them.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cache
+from typing import NamedTuple
+
+from deburr.finding import Finding
+from deburr.rule import Notice, covers
+from deburr.ruleset import RuleSet
+from deburr_grammar.chunk import Chunk
+from deburr_grammar.dialect import Dialect
+from deburr_grammar.document import Document
+from deburr_grammar.text import Span
+
+UNUSED = "allow-unused"
+UNKNOWN = "allow-unknown"
+_SIGN = "deburr:"
+
+
+class Allow(NamedTuple):
+    """A name in such a comment: the rule or the prefix, where it stands, and whether the comment is alone on its line."""
+
+    name: str
+    span: Span
+    alone: bool
+
+
+class Allowed(NamedTuple):
+    """What is left of findings, and what is to be said of the comments themselves."""
+
+    findings: list[Finding]
+    notices: list[Notice]
+
+
+def allows(document: Document) -> dict[int, tuple[Allow, ...]]:
+    """All such comments of a program by line."""
+    found: dict[int, tuple[Allow, ...]] = {}
+    first = 0
+    for chunk in document.chunks():
+        found.update((first + index, names) for index, names in _in_chunk(chunk, document.dialect))
+        first += chunk.eols
+    return found
+
+
+def allowed(document: Document, findings: Iterable[Finding], ruleset: RuleSet) -> Allowed:
+    """The findings that no comment allows, and the comments that allowed none."""
+    table = allows(document)
+    if not table:
+        return Allowed(list(findings), [])
+    kept: list[Finding] = []
+    used: set[tuple[int, Allow]] = set()
+    for finding in findings:
+        speaking = [each for each in _speaking(table, finding.place.line) if covers(each[1].name, finding.rule)]
+        used.update(speaking)
+        kept += [] if speaking else [finding]
+    unused = [(line, allow) for line, names in table.items() for allow in names if (line, allow) not in used]
+    return Allowed(kept, list(_notices(document, unused, ruleset)))
+
+
+def is_allowed(document: Document, finding: Finding) -> bool:
+    """Whether a comment allows a finding: looks only at its line and the lines of comments right above."""
+    near: dict[int, tuple[Allow, ...]] = {}
+    line = finding.place.line
+    while line >= 0:
+        near[line] = in_line(document.line(line), document.dialect)
+        if line != finding.place.line and not (near[line] and near[line][0].alone):
+            break
+        line -= 1
+    return any(covers(allow.name, finding.rule) for _, allow in _speaking(near, finding.place.line))
+
+
+def in_line(text: str, dialect: Dialect) -> tuple[Allow, ...]:
+    """The names that a line's comments allow."""
+    if _SIGN not in text:
+        return ()
+    pattern = _pattern(dialect)
+    alone = not pattern.sub("", text).strip()
+    return tuple(allow for match in pattern.finditer(text) for allow in _names(match, alone))
+
+
+def comment_pattern(comments: Sequence[tuple[str, str]], inner: str) -> str:
+    """A pattern for a comment that holds something: ``{}`` in ``inner`` is what may not be left behind in it, `{number}` numbers the pair of signs."""
+    found = []
+    for number, (opens, ends) in enumerate(comments):
+        rest = rf"(?:(?!{re.escape(ends)}).)" if ends else "."
+        held = inner.replace("{}", rest).replace("{number}", str(number))
+        found.append(rf"{re.escape(opens)}{rest}*?{held}{re.escape(ends) if ends else '$'}")
+    return "|".join(found) or "(?!)"
+
+
+@cache
+def _pattern(dialect: Dialect) -> re.Pattern[str]:
+    return re.compile(comment_pattern(dialect.comments, rf"{_SIGN}[ \t]*allow(?![\w-])(?P<names{{number}}>{{}}*)"))
+
+
+def _names(match: re.Match[str], alone: bool) -> Iterator[Allow]:
+    group = next(name for name, said in match.groupdict().items() if said is not None)
+    without_reason = re.split(r"(?:^|\s)--(?:\s|$)", match[group], maxsplit=1)[0]
+    at = match.start(group)
+    for name in re.finditer(r"[^,\s](?:[^,]*[^,\s])?", without_reason):
+        yield Allow(name[0], Span(at + name.start(), at + name.end()), alone)
+
+
+def _in_chunk(chunk: Chunk, dialect: Dialect) -> tuple[tuple[int, tuple[Allow, ...]], ...]:
+    """Kept with the chunk: it depends on its text alone."""
+    found: tuple[tuple[int, tuple[Allow, ...]], ...] | None = chunk.memo.get("allows")
+    if found is None:
+        lines = range(len(chunk.starts)) if _SIGN in chunk.text else range(0)
+        found = tuple((index, names) for index in lines if (names := in_line(chunk.line(index), dialect)))
+        chunk.memo["allows"] = found
+    return found
+
+
+def _speaking(table: Mapping[int, tuple[Allow, ...]], line: int) -> Iterator[tuple[int, Allow]]:
+    """The names that speak for a line, with the lines that they stand on."""
+    yield from ((line, allow) for allow in table.get(line, ()))
+    above = line - 1
+    while above in table and table[above] and table[above][0].alone:
+        yield from ((above, allow) for allow in table[above])
+        above -= 1
+
+
+def _notices(document: Document, unused: Iterable[tuple[int, Allow]], ruleset: RuleSet) -> Iterator[Notice]:
+    """What is said of names that allowed nothing; text that is not read is nobody's comment."""
+    for line, allow in unused:
+        if document.node(line).reading.start is None:
+            continue
+        if not ruleset.knows(allow.name):
+            yield Notice(UNKNOWN, line, allow.span, allow.name)
+        elif ruleset.speaks(allow.name):
+            yield Notice(UNUSED, line, allow.span, allow.name)
