@@ -14,7 +14,7 @@ from functools import cached_property
 from typing import Any
 
 from deburr_grammar.line import Shape, Shapes
-from deburr_grammar.text import line_starts, with_newlines
+from deburr_grammar.text import line_starts, split_lines, with_newlines
 
 SIZE = 16_384
 FANOUT = 24
@@ -51,6 +51,11 @@ class Chunk:
         if index + 1 < len(starts):
             return self.text[starts[index] : starts[index + 1]].rstrip("\r\n")
         return self.text[starts[index] :]
+
+    @property
+    def lines(self) -> list[str]:
+        """All lines without their endings, the tail included. Made anew each time: they would weigh more than the text."""
+        return split_lines(self.text)
 
     @property
     def shapes(self) -> list[Shape]:

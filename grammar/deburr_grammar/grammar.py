@@ -87,9 +87,7 @@ def _as_node(tree: Any, start: str) -> Node:
 
 
 def _convert(tree: Any) -> Node | Token:
-    from lark import Tree
-
-    if not isinstance(tree, Tree):
+    if not hasattr(tree, "children"):
         return Token(str(tree.type), tree.start_pos, tree.end_pos)
     children = tuple(_convert(child) for child in tree.children)
     if not children:

@@ -120,12 +120,14 @@ def shapes_of(dialect: Dialect) -> Shapes:
 class LineNode:
     """One line: its text without the ending, its reading, its tree and its problems, in columns of the line."""
 
-    __slots__ = ("text", "reading", "shape")
+    __slots__ = ("text", "reading", "shape", "_tree", "_nodes")
 
     def __init__(self, text: str, reading: Reading, shape: Shape) -> None:
         self.text = text
         self.reading = reading
         self.shape = shape
+        self._tree: Node | None = None
+        self._nodes: list[Node] | None = None
 
     @property
     def dialect(self) -> Dialect:
@@ -140,9 +142,9 @@ class LineNode:
     @property
     def tree(self) -> Node:
         """The tree; of a faulty line, what was read before the fault. Empty where the reading reads nothing."""
-        if self.reading.start is None or not self.shape.readable:
-            return _EMPTY
-        return moved(self.shape.tree(self.reading), self.dialect.folding.columns(self.text))
+        if self._tree is None:
+            self._tree = self._read()
+        return self._tree
 
     @property
     def problems(self) -> tuple[Problem, ...]:
@@ -155,9 +157,20 @@ class LineNode:
 
     def find(self, *kinds: str) -> Iterator[Node]:
         """All nodes of the given kinds, in reading order."""
-        wanted = frozenset(kinds)
-        if not wanted.isdisjoint(self.kinds):
-            yield from (part for part in walk(self.tree) if isinstance(part, Node) and part.kind in wanted)
+        if self.kinds.isdisjoint(kinds):
+            return iter(())
+        if self._nodes is None:
+            self._nodes = [part for part in walk(self.tree) if isinstance(part, Node)]
+        return (node for node in self._nodes if node.kind in kinds)
+
+    def _read(self) -> Node:
+        if self.reading.start is None or not self.shape.readable:
+            return _EMPTY
+        tree = self.shape.tree(self.reading)
+        if self.text == self.shape.text:
+            return tree
+        columns = self.dialect.folding.columns(self.text)
+        return moved(tree, columns.table(len(self.shape.text)).__getitem__)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, LineNode):

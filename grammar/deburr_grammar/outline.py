@@ -114,11 +114,12 @@ class Outliner:
         runs = [(0, outline.reading(state))]
         found: list[tuple[int, Bracket]] = []
         if chunk.marks[0]:
+            lines = chunk.lines
             for index, shape in enumerate(chunk.shapes):
                 if not shape.marked:
                     continue
                 depth = running.openers if shape.needs_depth else -1
-                step = _step(self.dialect, self.facts, state, depth, shape, chunk.line(index))
+                step = _step(self.dialect, self.facts, state, depth, shape, lines[index])
                 _run(runs, index, step.reading)
                 found += [(index, bracket) for bracket in step.brackets]
                 for bracket in step.brackets:

@@ -18,6 +18,8 @@ _DIGITS = re.compile("[0-9]+")
 _ZEROES = bytes.maketrans(b"123456789", b"000000000")
 _TOP_BIT = bytes(0x80 if byte in b"0123456789" else 0 for byte in range(256))
 _MARKED = bytes(range(0x80, 0x100))
+_RARE = 200
+"""Comment signs are rare where so many characters come to one."""
 
 
 @dataclass(frozen=True)
@@ -33,11 +35,13 @@ class Folding:
 
     protect: str = ""
     inert: str = ""
+    signs: str = ""
+    """Characters of which every inert comment holds one: lines without them are not searched (none given: all lines are)."""
 
     def fold(self, text: str) -> str:
         """The shapes of all lines of a text whose line endings are newlines."""
         if self.inert:
-            text = self._inert.sub(self._kept, text)
+            text = self._without_comments(text)
         if not self.protect:
             return _fold_digits(text)
         if _SEPARATOR in text:
@@ -45,6 +49,18 @@ class Folding:
         pieces = self._protect.split(text)
         pieces[::2] = _fold_digits(_SEPARATOR.join(pieces[::2])).split(_SEPARATOR)
         return "".join(pieces)
+
+    def _without_comments(self, text: str) -> str:
+        """Most lines of a large program have no comment, and to find a sign costs much less than to try a pattern everywhere."""
+        if not self.signs or sum(map(text.count, self.signs)) > len(text) // _RARE:
+            return self._inert.sub(self._kept, text)
+        pieces, done = list[str](), 0
+        for start in sorted({start for sign in self.signs for start in _lines_with(sign, text)}):
+            end = text.find("\n", start)
+            end = len(text) if end < 0 else end
+            pieces += text[done:start], self._inert.sub(self._kept, text[start:end])
+            done = end
+        return "".join((*pieces, text[done:]))
 
     def columns(self, line: str) -> "Columns":
         """How the columns of a line's shape map to the columns of the line itself."""
@@ -103,6 +119,22 @@ class Columns:
     def __call__(self, col: int) -> int:
         """The line's column for a column of its shape."""
         return col + self.growths[bisect_right(self.ends, col) - 1]
+
+    def table(self, length: int) -> list[int]:
+        """The line's columns for all columns of a shape of that length, its end included."""
+        found: list[int] = []
+        for start, end, growth in zip(self.ends, (*self.ends[1:], length + 1), self.growths):
+            found += range(start + growth, end + growth)
+        return found
+
+
+def _lines_with(sign: str, text: str) -> Iterator[int]:
+    """Where the lines start that hold a sign."""
+    at = text.find(sign)
+    while at >= 0:
+        yield text.rfind("\n", 0, at) + 1
+        end = text.find("\n", at)
+        at = text.find(sign, end) if end >= 0 else -1
 
 
 def _fold_digits(text: str) -> str:

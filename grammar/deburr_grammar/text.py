@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from array import array
 from collections.abc import Iterator
+from itertools import accumulate
 from typing import NamedTuple
 
 EOL = re.compile(r"\r\n|\n|\r")
@@ -34,16 +35,11 @@ class Edit(NamedTuple):
 
 def line_starts(text: str) -> array[int]:
     """Offsets at which lines start; one more than there are line ends, so the last entry starts the tail."""
-    starts = array("I", [0])
-    starts.extend(match.end() for match in EOL.finditer(text)) if "\r" in text else starts.extend(_after_newlines(text))
+    if "\r" in text:
+        return array("I", (0, *(match.end() for match in EOL.finditer(text))))
+    starts = array("I", accumulate((len(line) + 1 for line in text.split("\n")), initial=0))
+    starts.pop()
     return starts
-
-
-def _after_newlines(text: str) -> Iterator[int]:
-    at = 0
-    for line in text.split("\n")[:-1]:
-        at += len(line) + 1
-        yield at
 
 
 def with_newlines(text: str) -> str:

@@ -1,12 +1,10 @@
 """What a line was read as: tokens and nodes with columns. Never holds a line number."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from typing import Union
+from typing import NamedTuple, Union
 
 
-@dataclass(frozen=True, slots=True)
-class Token:
+class Token(NamedTuple):
     """A terminal of the line grammar: its name and its columns."""
 
     kind: str
@@ -14,8 +12,7 @@ class Token:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
-class Node:
+class Node(NamedTuple):
     """A rule of the line grammar: its name, its columns from first to last token, its parts."""
 
     kind: str
@@ -38,10 +35,12 @@ class Node:
 
 def walk(tree: Node | Token) -> Iterator[Node | Token]:
     """The tree in reading order, each node before its parts."""
-    yield tree
-    if isinstance(tree, Node):
-        for child in tree.children:
-            yield from walk(child)
+    waiting = [tree]
+    while waiting:
+        part = waiting.pop()
+        yield part
+        if isinstance(part, Node):
+            waiting += part.children[::-1]
 
 
 def tokens(tree: Node | Token) -> Iterator[Token]:
@@ -51,10 +50,9 @@ def tokens(tree: Node | Token) -> Iterator[Token]:
 
 def moved(tree: Node, to: Callable[[int], int]) -> Node:
     """The same tree with every column sent through ``to``."""
-    return Node(tree.kind, to(tree.start), to(tree.end), tuple(_moved(child, to) for child in tree.children))
-
-
-def _moved(tree: Node | Token, to: Callable[[int], int]) -> Node | Token:
-    if isinstance(tree, Token):
-        return Token(tree.kind, to(tree.start), to(tree.end))
-    return moved(tree, to)
+    kind, start, end, children = tree
+    parts = [
+        moved(child, to) if isinstance(child, Node) else Token(child.kind, to(child.start), to(child.end))
+        for child in children
+    ]
+    return Node(kind, to(start), to(end), tuple(parts))

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.document import Document, Piece
+from deburr_grammar.line import LineNode
 from deburr_grammar.structure import StructureFault
+from deburr_grammar.text import with_newlines
 
 from deburr.blocks import Scope, scopes
 from deburr.finding import Finding, Place, Related
@@ -77,7 +78,10 @@ class Analysis:
     def line_findings(self, line: int) -> list[Finding]:
         """The findings that a line alone decides, but for those that a comment allows."""
         piece = self.document.piece(line)
-        found = (self._finding(line, local) for local in self._on_piece(piece) if piece.line + local.line == line)
+        on_chunk: tuple[_Local, ...] | None = piece.chunk.memo.get((self.ruleset, self.document.key(piece)))
+        # The line is on its own quicker than its chunk would be, of which an edit leaves nothing known.
+        on_line = self._on_line(self.document.node(line), line - piece.line) if on_chunk is None else on_chunk
+        found = (self._finding(line, local) for local in on_line if piece.line + local.line == line)
         return [finding for finding in found if not is_allowed(self.document, finding)]
 
     def fault_findings(self, fault: StructureFault) -> list[Finding]:
@@ -107,6 +111,14 @@ class Analysis:
             found = piece.chunk.memo[key] = (*self._planned(piece), *self._texts(piece), *self._long(piece))
         return found
 
+    def _on_line(self, node: LineNode, index: int) -> Iterator[_Local]:
+        """What rules on lines say of one line."""
+        plan = self.ruleset.plan(node.shape, node.reading)
+        if node.reading.start is not None:
+            plan += tuple(rule for rule, pattern in self.ruleset.on_text if pattern.search(node.text))
+            plan += tuple(rule for rule, limit in self.ruleset.on_length if len(node.text) > limit)
+        return (_Local(index, rule, report) for rule, report in self.ruleset.on_line(node, plan))
+
     def _planned(self, piece: Piece) -> Iterator[_Local]:
         plan = self.ruleset.plan
         for reading, first, shapes in piece.read():
@@ -116,19 +128,20 @@ class Analysis:
                     yield _Local(index, rule, report)
 
     def _texts(self, piece: Piece) -> Iterator[_Local]:
+        text = with_newlines(piece.chunk.text)
         for rule, pattern in self.ruleset.on_text:
-            starts = piece.chunk.starts
-            lines = {bisect_right(starts, match.start()) - 1 for match in pattern.finditer(piece.chunk.text)}
-            yield from self._of_rule(rule, piece, sorted(lines))
+            yield from self._of_rule(rule, piece, dict.fromkeys(_matching(pattern, text)))
 
     def _long(self, piece: Piece) -> Iterator[_Local]:
+        if not self.ruleset.on_length:
+            return
+        lengths = list(map(len, piece.chunk.lines))
+        longest = max(lengths)
         for rule, limit in self.ruleset.on_length:
-            # A line's ending counts two at most, so shorter stretches need no second look.
-            if max((b - a for a, b in pairwise(piece.chunk.starts)), default=0) > limit or piece.chunk.chars > limit:
-                lines = (at for at in range(piece.lines) if len(piece.chunk.line(at)) > limit)
-                yield from self._of_rule(rule, piece, lines)
+            if longest > limit:
+                yield from self._of_rule(rule, piece, (at for at, length in enumerate(lengths) if length > limit))
 
-    def _of_rule(self, rule: Rule, piece: Piece, lines: Any) -> Iterator[_Local]:
+    def _of_rule(self, rule: Rule, piece: Piece, lines: Iterable[int]) -> Iterator[_Local]:
         for index in lines:
             node = piece.node(index)
             if node.reading.start is not None:
@@ -144,3 +157,12 @@ class Analysis:
     def _related(self, note: Note) -> Related:
         file = self.file if note.file is None else note.file
         return Related(Place(file, note.line, note.span.start, note.line, note.span.end), note.message)
+
+
+def _matching(pattern: re.Pattern[str], text: str) -> Iterator[int]:
+    """The lines in which a pattern is found, counted from the text's first."""
+    line = at = 0
+    for match in pattern.finditer(text):
+        line += text.count("\n", at, match.start())
+        at = match.start()
+        yield line

@@ -119,5 +119,7 @@ def _shown(dialects: Iterable[Dialect], text: str) -> Iterator[tuple[Dialect, st
 
 @cache
 def _comments(dialect: Dialect) -> re.Pattern[str]:
-    pairs = (rf"{re.escape(a)}[^\r\n]*?{re.escape(b)}" if b else rf"{re.escape(a)}[^\r\n]*" for a, b in dialect.comments)
+    pairs = (
+        rf"{re.escape(a)}[^\r\n]*?{re.escape(b)}" if b else rf"{re.escape(a)}[^\r\n]*" for a, b in dialect.comments
+    )
     return re.compile("|".join(pairs))

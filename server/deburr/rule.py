@@ -66,9 +66,15 @@ class Syntax(NamedTuple):
 
 
 class Nodes(NamedTuple):
-    """The rule is called for each node of these kinds: `check(line, node)`. Lines without one cost nothing."""
+    """The rule is called for each node of these kinds: `check(line, node)`. Lines without one cost nothing.
+
+    ``by_shape``: what the rule says hangs on the line's shape alone, on letters and on the
+    codes that the dialect protects, not on other numbers or on comments. It is then asked once
+    a shape, and lines of a shape of which it says nothing cost nothing either.
+    """
 
     kinds: tuple[str, ...]
+    by_shape: bool = False
 
 
 class Text(NamedTuple):

@@ -32,7 +32,7 @@ class RuleSet:
         self._all = rules_of(dialect.name)
         self.rules = tuple(rule for rule in self._all if selected(rule))
         self._severities = dict(severities or {})
-        self._plans: dict[tuple[Shape, Reading], tuple[Rule, ...]] = {}
+        self._plans: dict[tuple[Shape, str], tuple[Rule, ...]] = {}
 
     def severity(self, rule: Rule) -> Severity:
         """The severity of a rule's findings."""
@@ -49,16 +49,23 @@ class RuleSet:
 
     def plan(self, shape: Shape, reading: Reading) -> tuple[Rule, ...]:
         """The rules that may have something to say of lines of a shape: decided once a shape."""
-        plan = self._plans.get((shape, reading))
+        plan = self._plans.get((shape, reading.name))
         if plan is None:
             if len(self._plans) >= _PLANS:
                 self._plans.clear()
-            facts = shape.facts(reading)
-            problems = {problem.kind for problem in facts.problems}
-            plan = tuple(rule for rule in self._on_syntax if rule.short in problems)
-            plan += tuple(rule for rule, kinds in self._on_nodes if not kinds.isdisjoint(facts.kinds))
-            self._plans[shape, reading] = plan
+            plan = self._plans[shape, reading.name] = self._planned(shape, reading)
         return plan
+
+    def _planned(self, shape: Shape, reading: Reading) -> tuple[Rule, ...]:
+        facts = shape.facts(reading)
+        problems = {problem.kind for problem in facts.problems}
+        plan = [rule for rule in self._on_syntax if rule.short in problems]
+        sample = LineNode(shape.text, reading, shape)
+        for rule, kinds, by_shape in self._on_nodes:
+            # A shape is a line of its own, and the sample of all lines that share it.
+            if not kinds.isdisjoint(facts.kinds) and not (by_shape and not any(self.on_line(sample, (rule,)))):
+                plan.append(rule)
+        return tuple(plan)
 
     def on_line(self, node: LineNode, plan: tuple[Rule, ...]) -> Iterator[tuple[Rule, Report]]:
         """What the planned rules say of a line."""
@@ -77,7 +84,7 @@ class RuleSet:
     @cached_property
     def on_text(self) -> tuple[tuple[Rule, re.Pattern[str]], ...]:
         """Rules on the text of lines, with their patterns."""
-        return tuple((rule, re.compile(rule.trigger.pattern)) for rule in self.rules if isinstance(rule.trigger, Text))
+        return tuple((rule, re.compile(rule.trigger.pattern, re.M)) for rule in self.rules if isinstance(rule.trigger, Text))
 
     @cached_property
     def on_length(self) -> tuple[tuple[Rule, int], ...]:
@@ -104,5 +111,6 @@ class RuleSet:
         return tuple(rule for rule in self.rules if isinstance(rule.trigger, Syntax))
 
     @cached_property
-    def _on_nodes(self) -> tuple[tuple[Rule, frozenset[str]], ...]:
-        return tuple((r, frozenset(r.trigger.kinds)) for r in self.rules if isinstance(r.trigger, Nodes))
+    def _on_nodes(self) -> tuple[tuple[Rule, frozenset[str], bool], ...]:
+        nodes = ((rule, rule.trigger) for rule in self.rules if isinstance(rule.trigger, Nodes))
+        return tuple((rule, frozenset(trigger.kinds), trigger.by_shape) for rule, trigger in nodes)

@@ -16,7 +16,9 @@ DIALECT = Dialect(
     folding=Folding(
         # The numbers of G and M codes decide what a line is; rules are kept with its shape.
         protect=r"[GgMm][ \t]*[0-9][0-9 \t]*(?:\.[0-9 \t]*)?",
-        inert=rf"(\((?={_ACTIVE})[^()\n]*\)?)|\((?<=(\())[^()\n]*(\))|;(?<=(;))[^\n]*",
+        # What an active or unclosed comment says is kept: a `;` in it starts no other comment.
+        inert=rf"(\((?:(?={_ACTIVE})[^()\n]*\)?|[^()\n]*+(?!\))))|\((?<=(\())[^()\n]*(\))|;(?<=(;))[^\n]*",
+        signs="(;",
     ),
     outline=RS274Outline(),
     diagnose=diagnose,

@@ -51,8 +51,8 @@ _BLANKS = re.compile(r"[ \t]+")
 class RS274Outline:
     """The fold over O-words, program ends and percent lines."""
 
-    marks = r"(?i)^[ \t]*/?[ \t]*(?:n[ \t0.]*)?o|m[ \t]*0*[ \t]*(?:2|30)[ \t]*(?![0-9.])|^[ \t]*%"
-    needs_depth = r"(?i)m[ \t]*0*[ \t]*(?:2|30)[ \t]*(?![0-9.])"
+    needs_depth = r"(?i:m[ \t]*0*[ \t]*(?:2|3[ \t]*0)[ \t]*(?:\.[0 \t]*)?(?![0-9.]))"
+    marks = rf"(?i:^[ \t]*/?[ \t]*(?:n[ \t0.]*)?o)|^[ \t]*%|{needs_depth}"
 
     def facts(self, text: str) -> frozenset[str]:
         """Nothing of the whole is needed."""

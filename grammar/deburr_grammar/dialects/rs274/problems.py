@@ -84,7 +84,7 @@ def _line_number(fault: SyntaxFault) -> Place | None:
 def _o_word(fault: SyntaxFault) -> Place | None:
     if _letter(fault) == "o" and _between_words(fault):
         return "o-extra-text", fault.start, len(fault.text.rstrip())
-    if fault.inside("O") is None or fault.inside("LSQB") is not None:
+    if fault.inside("O") is None or _group(fault) is not None:
         return None
     before = fault.before
     assert before is not None
@@ -111,7 +111,7 @@ def _function(fault: SyntaxFault) -> Place | None:
 
 def _value(fault: SyntaxFault) -> Place:
     """A value should have stood here."""
-    group, before, char = fault.inside("LSQB"), fault.before, fault.text[fault.start : fault.start + 1]
+    group, before, char = _group(fault), fault.before, fault.text[fault.start : fault.start + 1]
     begun = before.start if before is not None else fault.start
     if fault.found == "$END":
         return ("expression-unclosed", group.start, len(fault.text)) if group else ("value-missing", begun, fault.start)
@@ -133,7 +133,7 @@ def _value(fault: SyntaxFault) -> Place:
 
 def _behind_value(fault: SyntaxFault) -> Place:
     """Something stands where a value, a word or a setting had ended."""
-    group, before, char = fault.inside("LSQB"), fault.before, fault.text[fault.start : fault.start + 1]
+    group, before, char = _group(fault), fault.before, fault.text[fault.start : fault.start + 1]
     if char == "." or before is not None and before.kind == "NUMBER" and fault.found == "NUMBER":
         if before is not None and before.kind == "NUMBER" and before.end == fault.start:
             return "number-format", before.start, _run(fault, _DIGITS)
@@ -143,7 +143,7 @@ def _behind_value(fault: SyntaxFault) -> Place:
             return "expression-unclosed", group.start, len(fault.text)
         return "operator-unknown", fault.start, _closed(fault.text, fault.start) if char == "(" else _run(fault, _LETTERS)
     if "EQUAL" in fault.expected:
-        param = _last(fault, "param")
+        param = _last(fault, "param") or fault.inside("HASH")
         return "param-equal-missing", param.start if param else fault.start, fault.start
     if fault.inside("PERCENT") is not None or char == "%":
         return "percent", fault.start, len(fault.text.rstrip())
@@ -154,6 +154,18 @@ def _behind_value(fault: SyntaxFault) -> Place:
     if char in ("+", "-", "*") and before is not None:
         return "operator-outside-brackets", fault.start, fault.start + (2 if fault.text.startswith("**", fault.start) else 1)
     return "bad-character", fault.start, fault.start + 1
+
+
+def _group(fault: SyntaxFault) -> Part | None:
+    """The bracket of the innermost expression that is still open; one just closed may not have been reduced yet."""
+    closed = 0
+    for part in reversed(fault.stack):
+        closed += part.kind == "RSQB"
+        if part.kind == "LSQB":
+            if not closed:
+                return part
+            closed -= 1
+    return None
 
 
 def _closed(text: str, start: int) -> int:

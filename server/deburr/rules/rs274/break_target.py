@@ -21,8 +21,10 @@ Bad:
 
 Good:
 
+    #1=0
     o1 while [#1 LT 3]
-      o2 if [#2]
+      #1=[#1+1]
+      o2 if [#1 EQ 2]
         o1 break
       o2 endif
     o1 endwhile

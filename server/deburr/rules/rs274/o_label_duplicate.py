@@ -35,8 +35,6 @@ Good:
       o2 if [#3]
       o2 endif
     o1 endif
-    o2 if [#4]
-    o2 endif
 """
 
 from collections.abc import Iterator

@@ -11,8 +11,10 @@ Bad:
 
 Good:
 
-    o1.0 call
-    o<drill 1.5> call
+    o1.0 if [1]
+    o1 endif
+    o<hole 1.5> if [1]
+    o<hole 1.5> endif
 """
 
 from collections.abc import Iterator

@@ -14,7 +14,7 @@ Bad:
 
 Bad:
 
-    o1 while [#1 LT 2]
+    o1 while [0]
       o2 if [1]
       ^^^^^
     o1 endwhile

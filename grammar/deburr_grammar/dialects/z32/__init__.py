@@ -1,0 +1,50 @@
+"""D.Electron Z32 with parameters and advanced lines: `spec/z32.md`."""
+
+from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting
+from deburr_grammar.dialects.z32.outline import READINGS, Z32Outline
+from deburr_grammar.dialects.z32.problems import WORDS, diagnose
+from deburr_grammar.shape import Folding
+
+_NAME = r"(?:[A-Za-z]{1,2}|PA[LR][ \t]*\[[^\]\n]*\])"
+_FIELD = rf"(?:IF\b|EB\b|CP\b|PC\b|GO[NPS][ \t]*(?:[0-9.]|<|&lt)|:[ \t]*L254[ \t]*-|{_NAME}[ \t]*=)"
+
+DIALECT = Dialect(
+    name="z32",
+    title="D.Electron Z32",
+    package="deburr_grammar.dialects.z32",
+    extensions=(".z32",),
+    readings=READINGS,
+    folding=Folding(
+        # The numbers of G and M codes decide what a word is (G25XYZ, G26, M30) and which codes contradict each other.
+        protect=r"(?<![A-Za-z])[GgMm][ \t]*[0-9]+(?:[.,][0-9]+)?|[Ll]254(?![0-9])",
+        # A `(` opens a comment for sure at the start of a line and behind a number; elsewhere it may be a term of an
+        # expression. A `;` ends the line for sure where neither `!` nor `)` follows.
+        inert=(
+            r"(?m:^)([ \t]*\()[^()\n]*(\))"
+            r"|(?<=[0-9.,)])(\()[^()\n]*(\))"
+            r"|(?<=[0-9.,)][ \t])(\()[^()\n]*(\))"
+            r"|(;)[^!)\n]*(?![^\n])"
+        ),
+    ),
+    outline=Z32Outline(),
+    diagnose=diagnose,
+    words=WORDS,
+    comments=(("(", ")"), (";", "")),
+    # The first line of a program cannot be a jump target, so an example does not stand there.
+    frame="(PROGRAM)\n{}\nM30\n",
+    evidence=(
+        Evidence(rf"(?m)^[ \t]*/?[ \t]*(?:N[0-9.]+[ \t]*)?![ \t]*{_FIELD}[^\n]*!", "an advanced line `!...!`"),
+        Evidence(r"(?m)^[ \t]*(?:[A-Za-z_][A-Za-z0-9_]*[ \t]*=[ \t]*)?\$F(?:CE|EC)PP[ \t]*\(", "a `$FCEPP` line"),
+    ),
+    settings=(
+        Setting(
+            "cmos-dir",
+            Kind.PATH,
+            "",
+            "folder with the programs that GOP calls; GOS looks in the same name with `-temp` behind it",
+        ),
+        Setting("file-root", Kind.PATH, "", "folder below which the files of L254 calls are found"),
+        Setting("axes", Kind.TEXT, "XYZABC", "letters of the machine's axes"),
+        Setting("pal", Kind.TABLE, {}, "values of PAL[256] to PAL[512], which only the machine writes: `{ 300 = 5 }`"),
+    ),
+)

@@ -1,0 +1,201 @@
+"""`deburr check`: lint files, folders or standard input."""
+
+import argparse
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from deburr.cli import reporters
+from deburr.cli.common import add_config, add_dialect, complain, unable
+from deburr.cli.files import STDIN, Target, targets
+from deburr.cli.result import Result
+from deburr.cli.run import Checker, Options, Outcome, outcomes
+from deburr.cli.style import Style, style_for, working_folder
+from deburr.config import ConfigError, from_command_line
+from deburr.configfile import Configs
+from deburr.schema import LEVELS
+from deburr.selection import Selection, unknown
+from deburr.suggest import suggestion
+
+_WORTH_FORKING = 2_000_000
+"""Bytes below which more processes cost more than they save."""
+
+
+class Output(NamedTuple):
+    """A form of report and the file that it goes to; "" is standard output."""
+
+    form: str
+    file: str
+
+
+def parser() -> argparse.ArgumentParser:
+    """The command's options."""
+    found = argparse.ArgumentParser(
+        prog="deburr check", description="Lint files, folders or standard input.", allow_abbrev=False
+    )
+    found.add_argument(
+        "paths",
+        nargs="*",
+        metavar="PATH",
+        help="files, folders (searched through, .gitignore respected) or - for standard input; default: this folder",
+    )
+    add_dialect(found)
+    found.add_argument(
+        "--profile", metavar="P", help="whose manual decides, in dialects that have profiles (rs274: linuxcnc, smithy)"
+    )
+    add_config(found)
+    rules = {"type": _rules, "action": "extend", "metavar": "RULES"}
+    found.add_argument("--select", help="rules or prefixes that are on, comma separated; ALL for all", **rules)
+    found.add_argument("--extend-select", default=[], help="rules or prefixes that are on besides", **rules)
+    found.add_argument("--ignore", default=[], help="rules or prefixes that are off", **rules)
+    found.add_argument(
+        "--fail-on", choices=LEVELS, help="the least severity for which the exit code is 1 (default: error)"
+    )
+    found.add_argument("--exit-zero", action="store_true", help="exit 0 whatever is found")
+    found.add_argument(
+        "--output-format",
+        type=_output,
+        action="append",
+        metavar="FORMAT[=FILE]",
+        help=f"{', '.join(reporters.names())} (default: full); repeatable, each with a file of its own",
+    )
+    found.add_argument("--output-file", metavar="FILE", help="where the report goes that has no file of its own")
+    found.add_argument(
+        "--no-run", action="store_true", help="static analysis only; that is all there is today, so nothing changes"
+    )
+    found.add_argument("--stdin-filename", metavar="PATH", help="the name that standard input goes by")
+    found.add_argument(
+        "--statistics", action="store_true", help="count the findings of each rule instead of showing them"
+    )
+    found.add_argument(
+        "-j", "--jobs", type=_jobs, metavar="N", help="processes (default: as many as cores, if there is work for them)"
+    )
+    loudness = found.add_mutually_exclusive_group()
+    loudness.add_argument("-q", "--quiet", action="store_true", help="findings only, no summary")
+    loudness.add_argument("-v", "--verbose", action="store_true", help="also say, on stderr, how each file was read")
+    return found
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Check and report."""
+    try:
+        outputs = _outputs(arguments)
+        configs = Configs(_top(arguments), arguments.config)
+        paths = arguments.paths or ([STDIN] if arguments.stdin_filename else ["."])
+        found = targets(paths, configs)
+        for target in found:
+            configs.of(
+                target.file if target.file != STDIN else arguments.stdin_filename or f"{working_folder()}/{STDIN}"
+            )
+    except ConfigError as error:
+        return unable(error.messages)
+    options = Options(arguments.dialect, arguments.stdin_filename, any(each.form == "full" for each in outputs))
+    result = Result(tuple(outcomes(Checker(configs, options), found, _processes(arguments.jobs, found))))
+    if not found:
+        complain("no programs found under the given paths", "warning")
+    _say(result.outcomes, arguments.verbose)
+    try:
+        for output in outputs:
+            _write(result, output, arguments)
+    except OSError as error:
+        if isinstance(error, BrokenPipeError):
+            raise
+        return unable([f"{error.filename}: {error.strerror}"])
+    return result.code(arguments.exit_zero)
+
+
+def _top(arguments: argparse.Namespace) -> Any:
+    """What the command line lays over all configuration."""
+    values = {} if arguments.fail_on is None else {"check.fail-on": arguments.fail_on}
+    select = None if arguments.select is None else tuple(arguments.select)
+    selection = Selection(select, tuple(arguments.extend_select), tuple(arguments.ignore))
+    return from_command_line({**values, **_profile(arguments.profile)}, selection)
+
+
+def _profile(name: str | None) -> dict[str, str]:
+    """The setting `profile` in each dialect that knows the one that was asked for."""
+    if name is None:
+        return {}
+    from deburr_grammar.dialects import NAMES, by_name
+
+    choices = {each: s.choices for each in NAMES for s in by_name(each).settings if s.name == "profile"}
+    found = {f"{each}.profile": name for each, known in choices.items() if name in known}
+    if not found:
+        known = [word for each in choices.values() for word in each]
+        raise ConfigError(f"--profile: no dialect has a profile `{name}`{suggestion(name, known)}")
+    return found
+
+
+def _outputs(arguments: argparse.Namespace) -> list[Output]:
+    outputs = arguments.output_format or [Output("full", "")]
+    outputs = [Output(each.form, each.file or arguments.output_file or "") for each in outputs]
+    places = [each.file for each in outputs]
+    twice = next((place for place in places if places.count(place) > 1), None)
+    if twice is not None:
+        raise ConfigError(f"--output-format: two reports go to {twice or 'standard output'}; write FORMAT=FILE")
+    silent = [each.form for each in outputs if not hasattr(reporters.by_name(each.form), "statistics")]
+    if arguments.statistics and silent:
+        raise ConfigError(f"--statistics: {silent[0]} has no form for them")
+    return outputs
+
+
+def _write(result: Result, output: Output, arguments: argparse.Namespace) -> None:
+    if not output.file:
+        _report(result, output.form, arguments, sys.stdout, style_for(sys.stdout))
+        return
+    with Path(output.file).open("w", encoding="utf-8", newline="\n") as out:
+        _report(result, output.form, arguments, out, Style(False, working_folder()))
+
+
+def _report(result: Result, form: str, arguments: argparse.Namespace, out: Any, style: Style) -> None:
+    reporter = reporters.by_name(form)
+    if arguments.statistics:
+        reporter.statistics(result.statistics(), out, style)
+    else:
+        reporter.report(result, out, style)
+    if reporter.TEXT and not arguments.quiet:
+        out.write(f"{result.summary()}\n")
+
+
+def _say(found: Iterable[Outcome], verbose: bool) -> None:
+    """Messages about files: what could not be checked, and, if wanted, how the others were read."""
+    style = Style(False, working_folder())
+    for outcome in found:
+        name = style.file(outcome.file)
+        if outcome.failure:
+            complain(f"{name}: {outcome.failure}")
+        elif verbose and outcome.dialect is None:
+            complain(f"{name}: skipped, {outcome.reason}", "")
+        elif verbose:
+            origin = style.file(outcome.origin) if outcome.origin else "no configuration"
+            complain(f"{name}: {outcome.dialect} ({outcome.reason}), {origin}", "")
+
+
+def _processes(asked: int | None, found: Sequence[Target]) -> int:
+    if asked is not None or len(found) < 2:
+        return asked or 1
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    size = sum(Path(target.file).stat().st_size for target in found if target.file != STDIN and not target.failure)
+    return cores if size >= _WORTH_FORKING else 1
+
+
+def _rules(said: str) -> list[str]:
+    names = [name.strip() for name in said.split(",") if name.strip()]
+    if wrong := next((message for name in names if (message := unknown(name))), None):
+        raise argparse.ArgumentTypeError(wrong)
+    return names
+
+
+def _output(said: str) -> Output:
+    form, _, file = said.partition("=")
+    if form not in reporters.names():
+        raise argparse.ArgumentTypeError(f"`{form}` is no format{suggestion(form, reporters.names())}")
+    return Output(form, file)
+
+
+def _jobs(said: str) -> int:
+    if not said.isascii() or not said.isdigit() or int(said) < 1:
+        raise argparse.ArgumentTypeError(f"`{said}` is no number of processes")
+    return int(said)

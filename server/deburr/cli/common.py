@@ -1,0 +1,37 @@
+"""What several commands share: options, and messages on stderr."""
+
+import argparse
+import sys
+from collections.abc import Iterable
+
+from deburr.cli.main import UNABLE
+from deburr.suggest import suggestion
+from deburr_grammar.dialects import NAMES
+
+
+def add_dialect(parser: argparse.ArgumentParser) -> None:
+    """`--dialect`."""
+    parser.add_argument("--dialect", type=_dialect, metavar="D", help=f"the language: {', '.join(NAMES)}")
+
+
+def add_config(parser: argparse.ArgumentParser) -> None:
+    """`--config`."""
+    parser.add_argument("--config", metavar="FILE", help="this configuration file instead of the nearest one")
+
+
+def complain(message: str, kind: str = "error") -> None:
+    """A message on stderr."""
+    print(f"deburr: {kind}: {message}" if kind else f"deburr: {message}", file=sys.stderr)
+
+
+def unable(messages: Iterable[str]) -> int:
+    """Say why the command cannot run; the exit code for that."""
+    for message in messages:
+        complain(message)
+    return UNABLE
+
+
+def _dialect(said: str) -> str:
+    if said not in NAMES:
+        raise argparse.ArgumentTypeError(f"`{said}` is no dialect{suggestion(said, NAMES)}")
+    return said

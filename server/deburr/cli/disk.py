@@ -1,0 +1,39 @@
+"""The files on disk around a program. Paths are absolute, as the program's own path is; relative ones start at the working folder.
+
+A setting that comes from a configuration file is absolute already; one that has its default,
+and a name that stands in a program, is looked for beside the program.
+"""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from deburr import source
+
+
+class Disk:
+    """A host that reads the disk. Each file is read once in a run."""
+
+    def __init__(self) -> None:
+        self._texts: dict[str, str | None] = {}
+
+    def read(self, path: str) -> str | None:
+        """The text of a file, decoded as programs are."""
+        if path not in self._texts:
+            self._texts[path] = _text(Path(path))
+        return self._texts[path]
+
+    def names(self, folder: str) -> Sequence[str]:
+        """The names in a folder, in order."""
+        try:
+            return sorted(path.name for path in Path(folder).iterdir())
+        except OSError:
+            return ()
+
+
+def _text(path: Path) -> str | None:
+    try:
+        data = path.read_bytes()
+    except (OSError, ValueError):
+        return None
+    found = source.read(data)
+    return found.text if isinstance(found, source.Source) else source.decoded(data)[0]

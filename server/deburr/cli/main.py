@@ -1,0 +1,68 @@
+"""The entry point: finds the command and runs it. Loads no other command."""
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+
+from deburr import __version__
+
+COMMANDS = {
+    "check": "lint files, folders or standard input",
+    "rule": "what a rule means, with a bad and a good example",
+    "explain-dialect": "which dialect a file is written in, and why",
+    "config": "the effective configuration of a file and where each value comes from",
+    "init": "write a commented deburr.toml into this folder",
+}
+UNABLE = 2
+INTERRUPTED = 130
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run a command; the exit code."""
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    if hasattr(sys.stdout, "reconfigure"):
+        sys.stdout.reconfigure(errors="backslashreplace")
+    try:
+        code = _run(arguments)
+        sys.stdout.flush()
+        return code
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except BrokenPipeError:
+        # Whoever read us has had enough; nothing may be said at exit about what is left in the buffer.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+
+
+def _run(arguments: list[str]) -> int:
+    if arguments and arguments[0] in COMMANDS:
+        command = import_module(f"deburr.cli.{arguments[0].replace('-', '_')}")
+        code: int = command.run(command.parser().parse_args(arguments[1:]))
+        return code
+    parser = _parser()
+    if not arguments:
+        parser.print_help(sys.stderr)
+        return UNABLE
+    if not arguments[0].startswith("-"):
+        from deburr.suggest import suggestion
+
+        parser.error(f"unknown command `{arguments[0]}`{suggestion(arguments[0], COMMANDS)}")
+    parser.parse_args(arguments)
+    return UNABLE
+
+
+def _parser() -> argparse.ArgumentParser:
+    width = max(map(len, COMMANDS))
+    commands = "\n".join(f"  {name:<{width}}  {text}" for name, text in COMMANDS.items())
+    parser = argparse.ArgumentParser(
+        prog="deburr",
+        usage="deburr COMMAND ...",
+        description="Takes the burrs off parametric CNC code.",
+        epilog=f"commands:\n{commands}\n\n`deburr COMMAND --help` says more.",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="version", version=f"deburr {__version__}")
+    return parser

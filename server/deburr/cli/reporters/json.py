@@ -1,0 +1,56 @@
+"""A JSON list of findings with 1-based rows and columns in code points."""
+
+from collections.abc import Iterable
+from typing import Any, TextIO
+
+from deburr.cli.result import Result, Row
+from deburr.cli.style import Style
+from deburr.finding import Finding, Place
+
+TEXT = False
+
+
+def report(result: Result, out: TextIO, style: Style) -> None:
+    """Write the findings."""
+    _write([as_object(finding, dialect) for finding, dialect in result.findings()], out)
+
+
+def statistics(rows: Iterable[Row], out: TextIO, style: Style) -> None:
+    """Write how often each rule spoke."""
+    _write([row_as_object(row) for row in rows], out)
+
+
+def as_object(finding: Finding, dialect: str) -> dict[str, Any]:
+    """A finding as the interface promises it. No site carries the pages, so ``url`` is null; `deburr rule NAME` prints them."""
+    place = finding.place
+    return {
+        "filename": place.file,
+        "dialect": dialect,
+        "rule": finding.rule,
+        "severity": finding.severity.word,
+        "message": finding.message,
+        **_ends(place),
+        "url": None,
+        "related": [
+            {"filename": each.place.file, **_ends(each.place), "message": each.message} for each in finding.related
+        ],
+        "fix": None,
+    }
+
+
+def row_as_object(row: Row) -> dict[str, Any]:
+    """A line of the statistics."""
+    return {"rule": row.rule, "severity": row.severity.word, "count": row.count, "summary": row.summary}
+
+
+def _ends(place: Place) -> dict[str, Any]:
+    return {
+        "location": {"row": place.line + 1, "column": place.col + 1},
+        "end_location": {"row": place.end_line + 1, "column": place.end_col + 1},
+    }
+
+
+def _write(objects: list[dict[str, Any]], out: TextIO) -> None:
+    from json import dumps
+
+    out.write(dumps(objects, indent=2, ensure_ascii=False) + "\n")

@@ -1,0 +1,132 @@
+"""One file from its bytes to an outcome, and many of them on several cores in the same order. Prints nothing."""
+
+import sys
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from deburr import source
+from deburr.check import check
+from deburr.cli.disk import Disk
+from deburr.cli.files import STDIN, Target, absolute
+from deburr.config import Config, RuleSets
+from deburr.configfile import Configs
+from deburr.detect import Answer, Hints, detect
+from deburr.finding import Finding
+from deburr.host import Host, NoFiles
+from deburr.source import NotAProgram, Source
+from deburr_grammar.dialects import NAMES, by_name
+
+AROUND = 2
+"""Lines shown before and behind the line of a finding."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What became of a file: findings, or why it was skipped (``dialect`` None), or why it could not be read (``failure``)."""
+
+    file: str
+    dialect: str | None = None
+    reason: str = ""
+    findings: tuple[Finding, ...] = ()
+    fails: bool = False
+    failure: str = ""
+    origin: str = ""
+    texts: Mapping[tuple[str, int], str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What holds for all files: the dialect that was asked for, the name of standard input, whether lines are to be shown."""
+
+    dialect: str | None = None
+    stdin_name: str | None = None
+    texts: bool = False
+
+
+class Checker:
+    """Checks files one by one and keeps what they share: configurations, rule sets, files read."""
+
+    def __init__(self, configs: Configs, options: Options) -> None:
+        self._configs = configs
+        self._options = options
+        self._rulesets = RuleSets()
+        self._disk = Disk()
+
+    def outcome(self, target: Target) -> Outcome:
+        """What becomes of a file."""
+        if target.failure:
+            return Outcome(target.file, failure=target.failure)
+        file, name = target.file, target.file
+        if file == STDIN:
+            name = absolute(self._options.stdin_name) if self._options.stdin_name else ""
+            file = name or STDIN
+        try:
+            data = sys.stdin.buffer.read() if target.file == STDIN else Path(file).read_bytes()
+        except OSError as error:
+            return Outcome(file, failure=error.strerror or "cannot be read")
+        config = self._configs.of(name) if name else self._configs.in_folder(Path.cwd())
+        return self._checked(source.read(data), file, name, target.named, config)
+
+    def _checked(self, found: Source | NotAProgram, file: str, name: str, named: bool, config: Config) -> Outcome:
+        text = found.text if isinstance(found, Source) else ""
+        answer = detect(name, text, hints(self._options.dialect, name, config))
+        if isinstance(found, NotAProgram) and (named or answer.dialect):
+            return Outcome(file, failure=found.reason)
+        if answer.dialect is None or isinstance(found, NotAProgram):
+            way_out = f"{answer.reason}; say which with --dialect ({', '.join(NAMES)})"
+            return Outcome(file, reason=answer.reason, failure=way_out if named else "")
+        dialect = by_name(answer.dialect)
+        host: Host = self._disk if name else NoFiles()
+        findings = check(found, dialect, self._rulesets.of(dialect, config, name or file), file, host)
+        texts = dict(_texts(findings, file, found, host)) if self._options.texts and findings else {}
+        fails = any(finding.severity >= config.fail_on for finding in findings)
+        return Outcome(file, dialect.name, answer.reason, tuple(findings), fails, "", config.origin, texts)
+
+
+def hints(asked: str | None, file: str, config: Config) -> Hints:
+    """What the command line and the configuration say of a file's dialect."""
+    configured = config.dialect_of(file) if file else None
+    if configured is None:
+        return Hints(asked)
+    name, glob = configured
+    return Hints(asked, None, Answer(name, f"`{glob.pattern}` in [files] of {glob.origin}"))
+
+
+def outcomes(checker: Checker, targets: Sequence[Target], jobs: int) -> Iterator[Outcome]:
+    """The outcomes in the order of the targets, whatever the number of processes."""
+    if jobs < 2 or len(targets) < 2 or any(target.file == STDIN for target in targets):
+        yield from map(checker.outcome, targets)
+        return
+    from multiprocessing import Pool
+
+    with Pool(min(jobs, len(targets)), _start, (checker,)) as pool:
+        yield from pool.imap(_outcome, targets, max(1, len(targets) // (jobs * 8)))
+
+
+_worker: list[Checker] = []
+
+
+def _start(checker: Checker) -> None:
+    """In a new process: an interrupt is the first process's to handle."""
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    _worker[:] = [checker]
+
+
+def _outcome(target: Target) -> Outcome:
+    return _worker[0].outcome(target)
+
+
+def _texts(findings: Iterable[Finding], file: str, found: Source, host: Host) -> Iterator[tuple[tuple[str, int], str]]:
+    """The lines that a report shows."""
+    files: dict[str, list[str]] = {file: found.lines}
+    for finding in findings:
+        places = [finding.place, *(related.place for related in finding.related)]
+        for place in places:
+            if place.file not in files:
+                files[place.file] = (host.read(place.file) or "").split("\n")
+            lines = files[place.file]
+            for line in range(max(0, place.line - AROUND), min(len(lines), place.line + AROUND + 1)):
+                yield (place.file, line), lines[line]

@@ -1,0 +1,128 @@
+"""What is configured for a file, in layers: files that extend each other, and the command line on top. Never reads a file."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from deburr.finding import Severity
+from deburr.rule import Rule
+from deburr.ruleset import RuleSet
+from deburr.schema import CHECK
+from deburr.selection import Selection, selected
+from deburr_grammar.dialect import Dialect, Setting
+
+
+class ConfigError(Exception):
+    """A configuration that cannot be used; each message begins with its place."""
+
+    def __init__(self, *messages: str) -> None:
+        super().__init__("\n".join(messages))
+        self.messages = messages
+
+
+class Value(NamedTuple):
+    """A value and the file that it comes from."""
+
+    value: Any
+    origin: str
+
+
+@dataclass(frozen=True)
+class Glob:
+    """A pattern of paths as in `.gitignore`, relative to a folder. A leading `!` means all files but those."""
+
+    folder: str
+    pattern: str
+    origin: str
+
+    def matches(self, file: str) -> bool:
+        """Whether a file, given by its absolute path, is meant."""
+        inside = file.startswith(self.folder.rstrip("/") + "/")
+        found = inside and self._spec.match_file(file[len(self.folder.rstrip("/")) + 1 :])
+        return bool(found) is not self.pattern.startswith("!")
+
+    @cached_property
+    def _spec(self) -> Any:
+        from pathspec import GitIgnoreSpec
+
+        return GitIgnoreSpec.from_lines([self.pattern.removeprefix("!")])
+
+
+@dataclass(frozen=True, eq=False)
+class Config:
+    """All that is configured. Keys of ``values`` are like `check.fail-on`; what is not there has its default.
+
+    ``layers`` are the selections of the files, lowest first, ``top`` that of the command line;
+    of ``severities``, None switches a rule off. ``origin`` is the file, "" if there is none.
+    """
+
+    values: Mapping[str, Value] = field(default_factory=dict)
+    layers: tuple[Selection, ...] = ()
+    top: tuple[Selection, ...] = ()
+    files: tuple[tuple[Glob, str], ...] = ()
+    ignores: tuple[tuple[Glob, tuple[str, ...]], ...] = ()
+    severities: Mapping[str, Severity | None] = field(default_factory=dict)
+    origin: str = ""
+
+    def get(self, table: str, setting: Setting) -> Value:
+        """A setting's value; its origin is "" for the default."""
+        return self.values.get(f"{table}.{setting.name}", Value(setting.default, ""))
+
+    @property
+    def fail_on(self) -> Severity:
+        """The least severity that counts as a failure."""
+        setting = next(each for each in CHECK if each.name == "fail-on")
+        return Severity[self.get("check", setting).value.upper()]
+
+    def dialect_of(self, file: str) -> tuple[str, Glob] | None:
+        """What `[files]` says of a file, with the pattern that says it: the first that matches."""
+        return next(((name, glob) for glob, name in self.files if glob.matches(file)), None)
+
+    def ignored(self, file: str) -> tuple[str, ...]:
+        """What is off for a file whatever is selected."""
+        return tuple(name for glob, names in self.ignores if glob.matches(file) for name in names)
+
+    def over(self, below: "Config") -> "Config":
+        """This configuration laid over another."""
+        return Config(
+            {**below.values, **self.values},
+            (*below.layers, *self.layers),
+            (*below.top, *self.top),
+            (*self.files, *below.files),
+            (*below.ignores, *self.ignores),
+            {**below.severities, **self.severities},
+            self.origin or below.origin,
+        )
+
+
+class RuleSets:
+    """The rule sets that were made: one for all files of a dialect that are configured alike."""
+
+    def __init__(self) -> None:
+        self._made: dict[tuple[str, int, tuple[str, ...]], tuple[Config, RuleSet]] = {}
+
+    def of(self, dialect: Dialect, config: Config, file: str) -> RuleSet:
+        """The rule set for a file."""
+        ignored = config.ignored(file)
+        key = (dialect.name, id(config), ignored)
+        if key not in self._made:
+            self._made[key] = (config, made(dialect, config, ignored))
+        return self._made[key][1]
+
+
+def made(dialect: Dialect, config: Config, ignored: Sequence[str] = ()) -> RuleSet:
+    """The rule set that a configuration means."""
+    off = Selection(ignore=tuple(name for name, severity in config.severities.items() if severity is None))
+    layers = (*config.layers, off, *config.top)
+
+    def on(rule: Rule) -> bool:
+        return selected(rule, layers, ignored)
+
+    settings = {setting.name: config.get(dialect.name, setting).value for setting in dialect.settings}
+    return RuleSet(dialect, settings, on, {name: each for name, each in config.severities.items() if each is not None})
+
+
+def from_command_line(values: Mapping[str, Any], selection: Selection) -> Config:
+    """A configuration as the command line gives it; keys are like `check.fail-on`."""
+    return Config({key: Value(value, "the command line") for key, value in values.items()}, top=(selection,))

@@ -1,0 +1,183 @@
+"""Configuration files: the nearest `deburr.toml` or `[tool.deburr]` above a program, and all that it extends.
+
+Paths in a configuration file are relative to its own folder and are made absolute here.
+What is wrong with a file is said with its place, all of it at once.
+"""
+
+import posixpath
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from deburr.config import Config, ConfigError, Glob, Value
+from deburr.finding import Severity
+from deburr.schema import Fault, Free, faults, tables
+from deburr.selection import Selection
+from deburr_grammar.dialect import Kind, Setting
+
+FILE = "deburr.toml"
+PROJECT = "pyproject.toml"
+
+
+class Configs:
+    """The configurations of files, each read once. ``top`` (the command line) is laid over all; ``only``: this file for all of them."""
+
+    def __init__(self, top: Config | None = None, only: str | None = None) -> None:
+        self._top = top or Config()
+        self._only = None if only is None else self._top.over(read(_absolute(Path(only))))
+        self._folders: dict[Path, Config] = {}
+
+    def of(self, file: str) -> Config:
+        """The configuration of a file, given by its absolute path."""
+        return self.in_folder(Path(file).parent)
+
+    def in_folder(self, folder: Path) -> Config:
+        """The configuration of the files in a folder."""
+        if self._only is not None:
+            return self._only
+        if folder not in self._folders:
+            self._folders[folder] = self._found(folder)
+        return self._folders[folder]
+
+    def _found(self, folder: Path) -> Config:
+        for name in (FILE, PROJECT):
+            path = folder / name
+            if path.is_file() and (name == FILE or _has_table(path)):
+                return self._top.over(read(path))
+        return self._top if folder.parent == folder else self.in_folder(folder.parent)
+
+
+def read(path: Path) -> Config:
+    """A configuration file with all that it extends; ConfigError if it cannot be used."""
+    found, seen = Config(), list[Path]()
+    following: Path | None = path
+    while following is not None:
+        if following in seen:
+            raise ConfigError(f"{seen[-1].as_posix()}: `extend` goes round in a circle")
+        seen.append(following)
+        data = _data(following)
+        found = found.over(_config(data, following))
+        following = _absolute(following.parent / data["extend"]) if "extend" in data else None
+    return found
+
+
+def line_of(text: str, path: tuple[str, ...]) -> int | None:
+    """The line on which a key of a TOML file stands, as far as it is spelled plainly; else that of the table around it."""
+    table: tuple[str, ...] = ()
+    best = (0, 0)
+    for number, line in enumerate(text.split("\n"), 1):
+        if header := re.match(r"\s*\[\[?([^\[\]]+)\]", line):
+            here = table = _keys(header[1])
+        elif key := _KEY.match(line):
+            here = (*table, *_keys(key[1]))
+        else:
+            continue
+        if path[: len(here)] == here and len(here) > best[0]:
+            best = (len(here), number)
+    return best[1] or None
+
+
+_PART = r"""(?:"[^"]*"|'[^']*'|[\w-]+)"""
+_KEY = re.compile(rf"\s*({_PART}(?:\s*\.\s*{_PART})*)\s*=")
+
+
+def _keys(said: str) -> tuple[str, ...]:
+    return tuple(match[0].strip("\"'") for match in re.finditer(_PART, said))
+
+
+def _data(path: Path) -> dict[str, Any]:
+    import tomllib
+
+    try:
+        text = path.read_bytes().decode("utf-8-sig")
+        data: Any = tomllib.loads(text)
+    except OSError as error:
+        raise ConfigError(f"{path.as_posix()}: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise ConfigError(f"{path.as_posix()}: not UTF-8, as TOML must be") from None
+    except tomllib.TOMLDecodeError as error:
+        raise ConfigError(_placed(path, str(error))) from None
+    prefix: tuple[str, ...] = ()
+    if path.name == PROJECT:
+        prefix = ("tool", "deburr")
+        data = data.get("tool", {}).get("deburr", {})
+    wrong = list(faults(data)) if isinstance(data, dict) else [Fault((), "`tool.deburr` must be a table")]
+    if wrong:
+        raise ConfigError(*(_message(path, text, prefix, fault) for fault in wrong))
+    found: dict[str, Any] = data
+    return found
+
+
+def _config(data: Mapping[str, Any], path: Path) -> Config:
+    origin, folder = path.as_posix(), path.parent.as_posix()
+    check = data.get("check", {})
+    select = check.get("select")
+    layer = Selection(
+        None if select is None else tuple(select), tuple(check.get("extend-select", ())), tuple(check.get("ignore", ()))
+    )
+    return Config(
+        values=dict(_values(data, path)),
+        layers=(layer,),
+        files=tuple((Glob(folder, pattern, origin), name) for pattern, name in data.get("files", {}).items()),
+        ignores=tuple(
+            (Glob(folder, pattern, origin), tuple(names))
+            for pattern, names in check.get("per-file-ignores", {}).items()
+        ),
+        severities={
+            name: None if word == "off" else Severity[word.upper()] for name, word in check.get("severity", {}).items()
+        },
+        origin=origin,
+    )
+
+
+def _values(data: Mapping[str, Any], path: Path) -> Iterator[tuple[str, Value]]:
+    """The settings of the fixed and the dialects' tables, paths made absolute."""
+    for (name, *rest), schema in tables().items():
+        if rest or isinstance(schema, Free):
+            continue
+        given = data.get(name, {})
+        for setting in schema:
+            if setting.name in given:
+                yield f"{name}.{setting.name}", Value(_useful(setting, given[setting.name], path), path.as_posix())
+
+
+def _useful(setting: Setting, value: Any, path: Path) -> Any:
+    """The value with lists as tuples and paths made absolute; an empty path stays empty."""
+    if setting.kind is Kind.PATH:
+        return _beside(path, value) if value else value
+    if setting.kind is Kind.PATHS:
+        return tuple(_beside(path, each) for each in value)
+    return tuple(value) if setting.kind is Kind.LIST else value
+
+
+def _beside(path: Path, said: str) -> str:
+    return _absolute(path.parent / said).as_posix()
+
+
+def _has_table(path: Path) -> bool:
+    """Whether a project's file speaks of deburr at all; one that is not TOML is another tool's to complain about."""
+    import tomllib
+
+    try:
+        data = path.read_bytes()
+        return b"deburr" in data and "deburr" in tomllib.loads(data.decode()).get("tool", {})
+    except (OSError, ValueError):
+        return False
+
+
+def _absolute(path: Path) -> Path:
+    return Path(posixpath.normpath(path.absolute().as_posix()))
+
+
+def _placed(path: Path, error: str) -> str:
+    """A TOML error with its place in front."""
+    match = re.search(r" \(at line ([0-9]+), column ([0-9]+)\)$", error)
+    if match is None:
+        return f"{path.as_posix()}: {error}"
+    return f"{path.as_posix()}:{match[1]}:{match[2]}: {error[: match.start()]}"
+
+
+def _message(path: Path, text: str, prefix: tuple[str, ...], fault: Fault) -> str:
+    line = line_of(text, (*prefix, *fault.path))
+    return f"{path.as_posix()}{f':{line}' if line else ''}: {fault.message}"

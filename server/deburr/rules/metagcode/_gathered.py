@@ -1,0 +1,249 @@
+"""The blocks of a program as they hang together once every `#FILE` line is replaced by its snippet. Never builds that text.
+
+What a snippet does to the blocks around it is known from its own lines and the snippets in
+it: how many blocks it closes and opens beyond itself, and how deep it goes. That is worked
+out once a file (`spec/metagcode.md` §4, §5.1).
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from deburr.analysis import Analysis
+from deburr.rule import Note
+from deburr.rules.metagcode._library import DEEPEST, Library
+from deburr_grammar.dialect import Bracket, Role
+from deburr_grammar.dialects.metagcode.outline import SNIPPET
+from deburr_grammar.structure import Fault, Placed, StructureFault, reduction
+from deburr_grammar.text import Span
+
+NESTED = 200
+"""How deep blocks may be nested in the gathered text (`spec/metagcode.md` §7)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Foreign(Bracket):
+    """A bracket that comes out of a snippet: where it stands there, and what its loop counts."""
+
+    file: str
+    row: int
+    counts: tuple[str, ...]
+
+    @property
+    def note(self) -> Note:
+        """The bracket as a related place."""
+        return Note(self.row, self.span, f"`{said(self)}` stands here", self.file)
+
+
+class Effect(NamedTuple):
+    """What a snippet does where it is included. ``sure``: all of it is known; ``deepest`` counts from where it starts."""
+
+    lines: int
+    closers: tuple[Foreign, ...]
+    openers: tuple[Foreign, ...]
+    deepest: int
+    loops: Mapping[str, Foreign]
+    names: frozenset[str]
+    sure: bool
+
+
+class Visit(NamedTuple):
+    """A bracket on the way through the gathered text, and the blocks that are open before it, outermost first."""
+
+    placed: Placed
+    around: Sequence[Placed]
+
+
+class Pair(NamedTuple):
+    """A block that is opened and closed."""
+
+    opener: Placed
+    closer: Placed
+
+
+def said(bracket: Bracket) -> str:
+    """A bracket as it should be written: `#ENDIF1`."""
+    return bracket.word + (bracket.label or "")
+
+
+def gathered(analysis: Analysis) -> "Gathered":
+    """The gathered blocks of a program, made once."""
+    found: Gathered | None = analysis.memo.get(__name__)
+    if found is None:
+        found = analysis.memo[__name__] = Gathered(analysis)
+    return found
+
+
+class Gathered:
+    """One program with its snippets. Lines are those of the program; what a snippet does stands on its `#FILE` line."""
+
+    def __init__(self, analysis: Analysis) -> None:
+        self._analysis = analysis
+        self._effects: dict[str, Effect] = {}
+
+    @cached_property
+    def library(self) -> Library:
+        """The snippet files."""
+        return Library(self._analysis)
+
+    @cached_property
+    def own(self) -> tuple[tuple[int, Bracket], ...]:
+        """The program's own brackets, the `#FILE` lines among them."""
+        return tuple(self._analysis.document.brackets())
+
+    @cached_property
+    def files(self) -> tuple[tuple[int, Bracket], ...]:
+        """The `#FILE` lines."""
+        return tuple((line, bracket) for line, bracket in self.own if bracket.kind == SNIPPET)
+
+    @cached_property
+    def effects(self) -> Mapping[int, Effect | None]:
+        """What each `#FILE` line does; None where its snippet, or one in it, is not to be had."""
+        return {line: self._effect(bracket) for line, bracket in self.files}
+
+    @cached_property
+    def sites(self) -> Mapping[int, Span]:
+        """The columns of the `#FILE` lines."""
+        return {line: bracket.span for line, bracket in self.files}
+
+    @cached_property
+    def brackets(self) -> tuple[tuple[int, Bracket], ...]:
+        """All brackets: the program's own, and on each `#FILE` line what its snippet closes and opens beyond itself."""
+        found: list[tuple[int, Bracket]] = []
+        for line, bracket in self.own:
+            found.append((line, bracket))
+            if bracket.kind == SNIPPET and (effect := self.effects[line]) is not None:
+                found += [(line, foreign) for foreign in (*effect.closers, *effect.openers)]
+        return tuple(found)
+
+    @cached_property
+    def faults(self) -> Sequence[StructureFault]:
+        """The faults of structure that no unknown snippet can explain."""
+        if len(self.brackets) == len(self.own):
+            found = self._analysis.document.faults
+        else:
+            found = reduction(self.brackets).all_faults()
+        unknown = [line for line, effect in self.effects.items() if effect is None or not effect.sure]
+        return [fault for fault in found if not any(_explains(line, fault) for line in unknown)]
+
+    def visits(self) -> Iterator[Visit]:
+        """Every bracket in order. The blocks around it are only to be looked at before the next one is asked for."""
+        around: list[Placed] = []
+        for line, bracket in self.brackets:
+            placed = Placed(line, bracket)
+            yield Visit(placed, around)
+            if bracket.role is Role.OPEN:
+                around.append(placed)
+            elif bracket.role is Role.CLOSE and around:
+                around.pop()
+
+    @cached_property
+    def pairs(self) -> Sequence[Pair]:
+        """The blocks whose ends belong together, in the order of their ends."""
+        closers = ((visit.placed, visit.around) for visit in self.visits() if visit.placed.bracket.role is Role.CLOSE)
+        pairs = (Pair(around[-1], placed) for placed, around in closers if around)
+        return [pair for pair in pairs if ties(pair.opener.bracket, pair.closer.bracket)]
+
+    def counts(self, placed: Placed) -> Sequence[str]:
+        """The names that a loop counts."""
+        if isinstance(placed.bracket, Foreign):
+            return placed.bracket.counts
+        return self.library.own.counts.get(placed.line, ())
+
+    def place(self, placed: Placed) -> tuple[int, Span]:
+        """Where a bracket is to be marked: a foreign one at the `#FILE` line that brings it."""
+        return placed.line, self.sites[placed.line] if isinstance(placed.bracket, Foreign) else placed.bracket.span
+
+    def note(self, placed: Placed) -> Note:
+        """A bracket as a related place."""
+        if isinstance(placed.bracket, Foreign):
+            return placed.bracket.note
+        return Note(placed.line, placed.bracket.span, f"`{said(placed.bracket)}` stands here")
+
+    def _effect(self, bracket: Bracket) -> Effect | None:
+        """What a `#FILE` line does. Circles and chains that are too long are not followed."""
+        path = self.library.target(bracket)
+        if path is None or path == self.library.file or len(self.library.longest(path)) >= DEEPEST:
+            return None
+        if path not in self._effects:
+            self._effects[path] = self._work_out(path)
+        return self._effects[path]
+
+    def _work_out(self, path: str) -> Effect:
+        scan = self.library.scan(path)
+        sum_ = _Sum(path)
+        for line, bracket in scan.brackets:
+            if bracket.kind == SNIPPET:
+                sum_.include(self._effect(bracket))
+            else:
+                sum_.take(Foreign(bracket.role, bracket.kind, bracket.word, bracket.label, bracket.span, path, line, scan.counts.get(line, ())))
+        return sum_.effect(scan.lines, scan.names)
+
+
+class _Sum:
+    """An effect that is being added up."""
+
+    def __init__(self, path: str) -> None:
+        self._closers: list[Foreign] = []
+        self._openers: list[Foreign] = []
+        self._loops: dict[str, Foreign] = {}
+        self._names: set[str] = set()
+        self._lines = self._deepest = 0
+        self._sure = True
+
+    def take(self, bracket: Foreign) -> None:
+        """Add a bracket."""
+        if bracket.role is Role.CLOSE:
+            # More closers than blocks may be open need not be told apart.
+            _ = self._openers.pop() if self._openers else len(self._closers) <= NESTED and self._closers.append(bracket)
+            return
+        self._openers.append(bracket)
+        for name in bracket.counts:
+            self._loops.setdefault(name, bracket)
+        self._reach(len(self._openers))
+
+    def include(self, inner: Effect | None) -> None:
+        """Add a snippet in the snippet."""
+        if inner is None:
+            self._sure = False
+            return
+        self._reach(len(self._openers) + inner.deepest)
+        self._lines += inner.lines - 1
+        self._sure = self._sure and inner.sure
+        self._names |= inner.names
+        self._loops = {**inner.loops, **self._loops}
+        for bracket in (*inner.closers, *inner.openers):
+            self.take(bracket)
+
+    def effect(self, lines: int, names: frozenset[str]) -> Effect:
+        """The effect of a file with so many lines of its own, in which these names stand."""
+        return Effect(
+            self._lines + lines,
+            tuple(self._closers),
+            tuple(self._openers),
+            self._deepest,
+            self._loops,
+            names | self._names,
+            self._sure,
+        )
+
+    def _reach(self, depth: int) -> None:
+        self._deepest = max(self._deepest, depth - len(self._closers))
+        if len(self._openers) > NESTED:
+            # So deep is an error wherever it stands; what it leaves open is of no interest then.
+            del self._openers[0]
+            self._sure = False
+
+
+def ties(opener: Bracket, closer: Bracket) -> bool:
+    """Whether two ends belong together; a missing label fits any."""
+    return opener.kind == closer.kind and (opener.label == closer.label or None in (opener.label, closer.label))
+
+
+def _explains(line: int, fault: StructureFault) -> bool:
+    """Whether an unknown snippet on a line may be what a fault misses."""
+    at = fault.at.line
+    if fault.other is not None:
+        return min(at, fault.other.line) < line < max(at, fault.other.line)
+    return line < at if fault.fault is Fault.UNOPENED else line > at

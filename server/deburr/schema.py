@@ -1,0 +1,153 @@
+"""What may stand in `deburr.toml`: the fixed tables, the dialects' own, and what is wrong with a given file. Never reads one."""
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, NamedTuple
+
+from deburr.selection import unknown
+from deburr.suggest import suggestion
+from deburr_grammar.dialect import Kind, Setting
+from deburr_grammar.dialects import NAMES, by_name
+
+LEVELS = ("error", "warning", "info")
+
+TOP = (Setting("extend", Kind.PATH, "", "another configuration file, over which this one is laid"),)
+CHECK = (
+    Setting("select", Kind.LIST, None, "rules or prefixes that are on, `ALL` for all; absent: the default set"),
+    Setting("extend-select", Kind.LIST, (), "rules or prefixes that are on besides"),
+    Setting("ignore", Kind.LIST, (), "rules or prefixes that are off"),
+    Setting("fail-on", Kind.CHOICE, "error", "the least severity for which `deburr check` exits 1", LEVELS),
+    Setting("run", Kind.FLAG, True, "also report what a bounded run of the program meets"),
+)
+MACHINE = (Setting("limits", Kind.TABLE, {}, "the travel of each axis, `X = [0, 300]`"),)
+
+Path = tuple[str, ...]
+
+
+class Fault(NamedTuple):
+    """What is wrong at a key of the file."""
+
+    path: Path
+    message: str
+
+
+class Free(NamedTuple):
+    """A table whose keys are the user's: what they are, and what is wrong with a key and its value (nothing: "")."""
+
+    text: str
+    wrong: Callable[[str, Any], str]
+
+
+def tables() -> dict[Path, tuple[Setting, ...] | Free]:
+    """All tables that there can be."""
+    found: dict[Path, tuple[Setting, ...] | Free] = {
+        ("files",): Free("which dialect the files of a pattern are written in", _file),
+        ("check",): CHECK,
+        ("check", "severity"): Free("the severity of single rules: error, warning, info or off", _severity),
+        ("check", "per-file-ignores"): Free("rules or prefixes that are off for the files of a pattern", _ignores),
+    }
+    found |= {(name,): by_name(name).settings for name in NAMES}
+    return found | {("machine",): MACHINE}
+
+
+def faults(data: Mapping[str, Any]) -> Iterator[Fault]:
+    """What is wrong with a configuration, in its own order."""
+    known = tables()
+    below = {path[0] for path in known}
+    for key, value in data.items():
+        if (key,) in known:
+            yield from _table((key,), value, known)
+        else:
+            yield from _setting((), key, value, TOP, (*(setting.name for setting in TOP), *sorted(below)))
+
+
+def _table(path: Path, value: Any, known: Mapping[Path, tuple[Setting, ...] | Free]) -> Iterator[Fault]:
+    if not isinstance(value, Mapping):
+        yield Fault(path, f"`{'.'.join(path)}` must be a table, not {_kind(value)}")
+        return
+    schema = known[path]
+    for key, inner in value.items():
+        if (*path, key) in known:
+            yield from _table((*path, key), inner, known)
+        elif isinstance(schema, Free):
+            message = schema.wrong(key, inner)
+            yield from [Fault((*path, key), message)] if message else []
+        else:
+            below = [each[-1] for each in known if each[:-1] == path]
+            yield from _setting(path, key, inner, schema, (*(setting.name for setting in schema), *below))
+
+
+def _setting(path: Path, key: str, value: Any, schema: tuple[Setting, ...], names: tuple[str, ...]) -> Iterator[Fault]:
+    setting = next((each for each in schema if each.name == key), None)
+    if setting is None:
+        where = f" in [{'.'.join(path)}]" if path else ""
+        yield Fault((*path, key), f"unknown key `{key}`{where}{suggestion(key, names)}")
+        return
+    message = wrong(setting, value)
+    if message:
+        yield Fault((*path, key), f"`{key}` {message}")
+    elif path == ("check",) and setting.kind is Kind.LIST:
+        yield from (Fault((*path, key), said) for name in value if (said := unknown(name)))
+    elif path == ("machine",):
+        yield from (Fault((*path, key, axis), said) for axis, limit in value.items() if (said := _limit(axis, limit)))
+
+
+def wrong(setting: Setting, value: Any) -> str:
+    """What is wrong with a setting's value, or nothing."""
+    match setting.kind:
+        case Kind.CHOICE:
+            if value in setting.choices and isinstance(value, str):
+                return ""
+            hint = suggestion(value, setting.choices) if isinstance(value, str) else ""
+            return f"must be {_or(setting.choices)}, not {_said(value)}{hint}"
+        case Kind.LIST | Kind.PATHS:
+            good = isinstance(value, list) and all(isinstance(each, str) for each in value)
+            return "" if good else f"must be a list of texts, not {_kind(value)}"
+        case Kind.TABLE:
+            return "" if isinstance(value, Mapping) else f"must be a table, not {_kind(value)}"
+        case Kind.FLAG:
+            return "" if isinstance(value, bool) else f"must be true or false, not {_said(value)}"
+        case Kind.TEXT | Kind.PATH:
+            return "" if isinstance(value, str) else f"must be a text, not {_kind(value)}"
+
+
+def _file(_pattern: str, value: Any) -> str:
+    if isinstance(value, str) and value in NAMES:
+        return ""
+    return f"{_said(value)} is no dialect{suggestion(value, NAMES) if isinstance(value, str) else ''}"
+
+
+def _severity(name: str, value: Any) -> str:
+    if said := unknown(name, whole=True):
+        return said
+    levels = (*LEVELS, "off")
+    return "" if isinstance(value, str) and value in levels else f"`{name}` must be {_or(levels)}, not {_said(value)}"
+
+
+def _ignores(pattern: str, value: Any) -> str:
+    if not isinstance(value, list) or not all(isinstance(each, str) for each in value):
+        return f"`{pattern}` must be a list of rules, not {_kind(value)}"
+    return next((said for name in value if (said := unknown(name))), "")
+
+
+def _limit(axis: str, limit: Any) -> str:
+    if not re.fullmatch("[A-Z]", axis):
+        return f"`{axis}` is no axis letter"
+    numbers = isinstance(limit, list) and [type(each) in (int, float) for each in limit] == [True, True]
+    return "" if numbers and limit[0] <= limit[1] else f"the limits of `{axis}` must be two numbers, the lower first"
+
+
+def _or(words: tuple[str, ...]) -> str:
+    quoted = [f'"{word}"' for word in words]
+    return quoted[0] if len(quoted) == 1 else f"{', '.join(quoted[:-1])} or {quoted[-1]}"
+
+
+def _said(value: Any) -> str:
+    return f'"{value}"' if isinstance(value, str) else _kind(value) if isinstance(value, Mapping | list) else f"{value}"
+
+
+def _kind(value: Any) -> str:
+    names = {bool: "true or false", str: "a text", int: "a number", float: "a number", list: "a list", dict: "a table"}
+    if isinstance(value, list) and any(not isinstance(each, str) for each in value):
+        return "a list with something else in it"
+    return names.get(type(value), "a date or time")

@@ -1,0 +1,34 @@
+"""LinuxCNC's interpreter as judge: runs a program and says whether it was accepted, and what it said."""
+
+import os
+import re
+import subprocess
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+SAMPLES = Path("/usr/share/linuxcnc/ncfiles")
+SECONDS = 5
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Whether the interpreter ran the program to its end, its message if not, and the line it then echoed."""
+
+    accepted: bool
+    message: str
+    echo: str
+
+
+def judged(program: str, folder: Path, files: Mapping[str, str] | None = None) -> Verdict:
+    """Run a program in a scratch folder with a home of its own: the interpreter truncates files in both."""
+    for name, text in {"p.ngc": program, "p.var": "", **(files or {})}.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    (folder / "tools.tbl").write_text("".join(f"T{n} P{n} D0.001\n" for n in range(1, 100)))
+    command = ["rs274", "-g", "-n", "2", "-t", "tools.tbl", "-v", "p.var", "p.ngc"]
+    environment = {**os.environ, "HOME": str(folder)}
+    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, timeout=SECONDS, check=False)
+    said = [line for line in done.stderr.decode("utf-8", "replace").split("\n") if line and line != "executing"]
+    # Errors of O-words carry a line number of their own kind in front.
+    message = re.sub(r"^\d+: ", "", said[0]) if said else ""
+    return Verdict(done.returncode == 0, message, said[1] if len(said) > 1 else "")
