@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import count, islice
 from random import Random
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 SEED = 274
 CAM_LINES = 1_000_000
@@ -92,7 +95,11 @@ def _operation(random: Random, label: int) -> Iterator[list[str]]:
     yield [f"T{tool} M6", f"S{random.randint(20, 180)}00 M3", f"G43 H{tool}", "G0 Z5.", "M8"]
     yield [f"#2=[#2+{random.randint(1, 9) / 10}]"]
     yield [f"o<peck> call [{_number(random)}] [{_number(random)}] [2.5]", "G0 Z5."]
-    yield [f"o{label} if [#2 GT {random.randint(1, 9)}]", f"G1 Z-{random.randint(1, 9)}. F{random.randint(2, 18)}00", f"o{label} endif"]
+    yield [
+        f"o{label} if [#2 GT {random.randint(1, 9)}]",
+        f"G1 Z-{random.randint(1, 9)}. F{random.randint(2, 18)}00",
+        f"o{label} endif",
+    ]
 
 
 def _move(random: Random) -> str:
@@ -114,9 +121,9 @@ def _number(random: Random) -> str:
 
 
 _MACRO_FRAME = (["(A LIBRARY OF CYCLES)", "G21 G90 G17"], ["F100", "M2"])
-_NOUNS = "depth width feed angle radius step pitch stock margin pocket hole count".split()
-_SIDES = "first last inner outer upper lower left right safe rough fine total".split()
-_CALLS = "SIN COS TAN ABS FIX FUP ROUND SQRT".split()
+_NOUNS = ["depth", "width", "feed", "angle", "radius", "step", "pitch", "stock", "margin", "pocket", "hole", "count"]
+_SIDES = ["first", "last", "inner", "outer", "upper", "lower", "left", "right", "safe", "rough", "fine", "total"]
+_CALLS = ["SIN", "COS", "TAN", "ABS", "FIX", "FUP", "ROUND", "SQRT"]
 
 
 def _macro(random: Random) -> Iterator[list[str]]:
@@ -134,22 +141,32 @@ def _body(random: Random, names: list[str], library: list[str]) -> Iterator[str]
         yield from _statement(random, names, library, labels, "  ")
 
 
-def _statement(random: Random, names: list[str], library: list[str], labels: Iterator[int], indent: str) -> Iterator[str]:
+def _statement(
+    random: Random, names: list[str], library: list[str], labels: Iterator[int], indent: str
+) -> Iterator[str]:
     one, other = random.sample(names, 2)
     value = _filled(random.choice(library), one, other)
     kind = random.randint(0, 9) if len(indent) < 8 else random.randint(0, 5)
     inner = indent + "  "
     label = next(labels) if kind > 6 else 0
     if kind <= 2:
-        yield f"{indent}{one} = {value}" + (f" ({random.choice(_SIDES)} {random.choice(_NOUNS)})" if random.random() < 0.3 else "")
+        yield f"{indent}{one} = {value}" + (
+            f" ({random.choice(_SIDES)} {random.choice(_NOUNS)})" if random.random() < 0.3 else ""
+        )
     elif kind == 3:
         yield f"{indent}G1 X{value} Y[{other}*2] F[{one}+100]"
     elif kind == 4:
         yield f"{indent}G0 X{one} Z[{other}+{random.randint(1, 20)}]"
     elif kind == 5:
-        yield from (f"{indent}; {random.choice(_SIDES)} {random.choice(_NOUNS)}", f"{indent}(DEBUG, {one.strip('#<>')} is {one})")
+        yield from (
+            f"{indent}; {random.choice(_SIDES)} {random.choice(_NOUNS)}",
+            f"{indent}(DEBUG, {one.strip('#<>')} is {one})",
+        )
     elif kind == 6:
-        yield from (f"{indent}G38.2 Z-{random.randint(5, 50)} F{random.randint(20, 200)}", f"{indent}{one} = [#5063+{other}]")
+        yield from (
+            f"{indent}G38.2 Z-{random.randint(5, 50)} F{random.randint(20, 200)}",
+            f"{indent}{one} = [#5063+{other}]",
+        )
     elif kind == 7:
         yield f"{indent}o{label} if [{one} GT {other}]"
         yield from _statement(random, names, library, labels, inner)
@@ -171,7 +188,7 @@ def _expression(random: Random, depth: int) -> str:
     left, right = _expression(random, depth - 1), _expression(random, depth - 1)
     if random.random() < 0.3:
         return f"{random.choice(_CALLS[:2] + _CALLS[3:7])}[{left}]"
-    return f"[{left}{random.choice(' + | - |*'.split('|'))}{right}]"
+    return f"[{left}{random.choice([' + ', ' - ', '*'])}{right}]"
 
 
 def _filled(template: str, one: str, other: str) -> str:

@@ -1,11 +1,10 @@
 """The tables of a dialect: codes, words, functions, keywords, variables, with what hover says of each. Never interprets a line."""
 
+import pkgutil
 import re
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from importlib import resources
 from typing import Any
 
 
@@ -50,6 +49,8 @@ class CodeTable:
 
     @cached_property
     def _tables(self) -> dict[str, tuple[Entry, ...]]:
+        import tomllib
+
         found: dict[str, tuple[Entry, ...]] = {}
         for file in ("codes.toml", "variables.toml"):
             for table, rows in tomllib.loads(_read(self._package, file)).items():
@@ -68,7 +69,7 @@ def code_number(text: str) -> str:
         return text.upper()
     letter, whole, fraction = match.groups()
     fraction = fraction.rstrip("0")
-    return letter.upper() + str(int(whole or "0")) + (f".{fraction}" if fraction else "")
+    return letter.upper() + (whole.lstrip("0") or "0") + (f".{fraction}" if fraction else "")
 
 
 def _entry(table: str, row: dict[str, Any]) -> Entry:
@@ -86,5 +87,7 @@ def _entry(table: str, row: dict[str, Any]) -> Entry:
 
 
 def _read(package: str, file: str) -> str:
-    path = resources.files(package).joinpath(file)
-    return path.read_text(encoding="utf-8") if path.is_file() else ""
+    try:
+        return (pkgutil.get_data(package, file) or b"").decode("utf-8")
+    except FileNotFoundError:
+        return ""

@@ -87,6 +87,29 @@ class Outline(Protocol):
         """What a marked line does. ``depth`` counts the blocks open in its region; it is only to be relied on by lines that match ``needs_depth``."""
 
 
+class Effect(NamedTuple):
+    """What a line does to modal state; it must hang on the line's shape alone.
+
+    ``codes``: its codes in their canonical spelling, and the letters of other words that stay in
+    force. ``arrives``: a jump can end here, so nothing is known before it. ``leaves``: text
+    elsewhere runs before the next line, or codes that only the run knows. ``maybe``: whether the
+    line runs at all is the operator's choice.
+    """
+
+    codes: tuple[str, ...] = ()
+    arrives: bool = False
+    leaves: bool = False
+    maybe: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Modality:
+    """How a dialect's lines change modal state. Blocks of the kinds in ``once`` run at most once each time they are reached; all others may be loops."""
+
+    effect: "Callable[[LineNode], Effect]"
+    once: frozenset[str] = frozenset()
+
+
 class Kind(Enum):
     """The types a setting can have in the configuration file."""
 
@@ -142,6 +165,8 @@ class Dialect:
     blanks: str = " \t"
     """Characters that may stand between words."""
     nesting: Mapping[str, int] = field(default_factory=dict)
+    modality: Modality | None = None
+    """None: modal state is not followed."""
 
     @property
     def starts(self) -> tuple[str, ...]:

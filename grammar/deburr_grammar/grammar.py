@@ -7,10 +7,12 @@ building them costs some thirty times as much as loading them.
 
 from __future__ import annotations
 
+import io
 import pickle
+import pkgutil
+import re
 from collections.abc import Iterator
 from functools import cached_property
-from importlib import resources
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr_grammar.problem import Part, SyntaxFault
@@ -20,19 +22,24 @@ if TYPE_CHECKING:
     from lark import Lark
 
 CORE = "deburr_grammar.core"
+DEEPEST = 256
+"""Levels of a tree: no line of 256 characters has more, and whoever walks a tree may do so by recursion."""
 _OPTIONS: dict[str, Any] = {
     "parser": "lalr",
     "lexer": "contextual",
     "keep_all_tokens": True,
     "maybe_placeholders": False,
+    # Without it `K` (kelvin) is a `k` and `ſ` an `s` wherever case is ignored.
+    "g_regex_flags": re.ASCII,
 }
 
 
 class Parsed(NamedTuple):
-    """What a line was read as: the tree as far as it goes, and the fault if there is one."""
+    """What a line was read as: the tree as far as it goes, and the fault if there is one. ``deep``: it nests too deep to be given."""
 
     tree: Node
     fault: SyntaxFault | None
+    deep: bool = False
 
 
 class Grammar:
@@ -47,38 +54,82 @@ class Grammar:
         from lark.exceptions import UnexpectedInput
 
         try:
-            return Parsed(_as_node(self._lark.parse(text, start), start), None)
+            tree = self._lark.parse(text, start)
         except UnexpectedInput as unexpected:
+            if _too_deep(unexpected.state.value_stack):  # type: ignore[attr-defined]  # set by all parser errors
+                return _DEEP
             return _faulty(text, start, unexpected)
+        return _DEEP if _too_deep([tree]) else Parsed(_as_node(tree, start), None)
 
     def build(self) -> Lark:
         """The parser, made from the grammar text."""
         from lark import Lark
 
-        source = resources.files(self._package).joinpath("line.lark").read_text(encoding="utf-8")
+        source = (_data(self._package, "line.lark") or b"").decode("utf-8")
         return Lark(source, start=list(self._starts), import_paths=[_from_core], **_OPTIONS)
+
+    def tables(self) -> bytes:
+        """The content of `line.tables`."""
+        buffer = io.BytesIO(self._key)
+        buffer.seek(0, io.SEEK_END)
+        self.build().save(buffer)
+        return buffer.getvalue()
+
+    @property
+    def fresh(self) -> bool:
+        """Whether `line.tables` is there and made from the grammar as it is."""
+        return (_data(self._package, "line.tables") or b"").startswith(self._key)
 
     @cached_property
     def _lark(self) -> Lark:
         from lark import Lark
 
-        tables = resources.files(self._package).joinpath("line.tables")
-        if not tables.is_file():
+        tables = _data(self._package, "line.tables")
+        key = self._key
+        if tables is None or not tables.startswith(key):
+            # Tables of another grammar or of another Lark: slower, never wrong.
             return self.build()
         try:
-            with tables.open("rb") as file:
-                return Lark.load(file)
-        except (pickle.UnpicklingError, AttributeError, KeyError, TypeError, EOFError):
-            # Tables of another Lark version: slower, never wrong.
+            return Lark.load(io.BytesIO(tables[len(key) :]))
+        except (pickle.UnpicklingError, AttributeError, EOFError, ImportError, IndexError, KeyError, TypeError, ValueError):
             return self.build()
+
+    @property
+    def _key(self) -> bytes:
+        """All that the tables are made from. It stands before them, so they say for themselves whether they are fresh."""
+        from lark import __version__
+
+        source = _data(self._package, "line.lark") or b""
+        imported = [_data(CORE, f"{name.decode()}.lark") for name in re.findall(rb"(?m)^%import core\.(\w+)", source)]
+        return repr((__version__, sorted(_OPTIONS.items()), self._starts, source, imported)).encode()
 
 
 def _from_core(_base: str | None, path: str) -> tuple[str, str]:
     """Lark's import hook: `%import core.terminals.X` reads the shared fragments."""
-    found = resources.files(CORE).joinpath(path.removeprefix("core/"))
-    if not found.is_file():
+    found = _data(CORE, path.removeprefix("core/"))
+    if found is None:
         raise OSError(path)
-    return str(found), found.read_text(encoding="utf-8")
+    return f"{CORE}/{path}", found.decode("utf-8")
+
+
+def _data(package: str, file: str) -> bytes | None:
+    """A file of a package; None if there is none. `importlib.resources` costs more to load than a small program takes to check."""
+    try:
+        found: bytes | None = pkgutil.get_data(package, file)
+    except FileNotFoundError:
+        return None
+    return found
+
+
+_DEEP = Parsed(Node("", 0, 0, ()), None, True)
+
+
+def _too_deep(parts: list[Any]) -> bool:
+    for _ in range(DEEPEST):
+        parts = [child for part in parts for child in getattr(part, "children", ())]
+        if not parts:
+            return False
+    return True
 
 
 def _as_node(tree: Any, start: str) -> Node:

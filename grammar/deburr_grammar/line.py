@@ -38,7 +38,7 @@ class Shape:
     def __init__(self, dialect: Dialect, text: str) -> None:
         self.dialect = dialect
         self.text = text
-        self.marked = dialect.marks.search(text) is not None
+        self.marked = len(text) <= LONGEST and dialect.marks.search(text) is not None
         self.needs_depth = self.marked and dialect.needs_depth.search(text) is not None
         self._facts: dict[str, Facts] = {}
         self.memo: dict[object, object] = {}
@@ -72,6 +72,8 @@ class Shape:
         if beyond := self._beyond():
             return Facts((Problem(beyond, 0, len(self.text)),), frozenset())
         parsed = _parse(self.dialect, reading, self.text)
+        if parsed.deep:
+            return Facts((Problem("line-too-deep", 0, len(self.text)),), frozenset())
         problems = () if parsed.fault is None else (self.dialect.diagnose(parsed.fault),)
         return Facts(problems, _interned(frozenset(part.kind for part in walk(parsed.tree))))
 
@@ -152,6 +154,8 @@ class LineNode:
         problems = self.shape.facts(self.reading).problems
         if not problems:
             return ()
+        if not self.shape.readable:
+            return tuple(Problem(p.kind, 0, len(self.text)) for p in problems)
         to_line = self.dialect.folding.columns(self.text)
         return tuple(Problem(p.kind, to_line(p.start), to_line(p.end), p.expected) for p in problems)
 

@@ -4,6 +4,7 @@ Blocks pair by depth alone and are compared afterwards, so each fault costs at m
 finding a level. A region boundary (a subprogram, a section) cuts: no block reaches across.
 """
 
+from collections import deque
 from collections.abc import Iterable
 from enum import Enum
 from typing import NamedTuple
@@ -222,15 +223,18 @@ class _Index:
     """Faults by what they are of: sort, the key of the bracket that is marked, the key of the other end."""
 
     def __init__(self, faults: Iterable[StructureFault | None]) -> None:
-        self._at: dict[tuple[Fault, _Key, _Key | None], list[int]] = {}
+        self._at: dict[tuple[Fault, _Key, _Key | None], deque[int]] = {}
         for at, fault in enumerate(faults):
             if fault is not None:
                 other = _key(fault.other.bracket) if fault.other is not None else None
-                self._at.setdefault((fault.fault, _key(fault.at.bracket), other), []).append(at)
+                self._at.setdefault((fault.fault, _key(fault.at.bracket), other), deque()).append(at)
 
     def take(self, found: list[StructureFault | None], key: tuple[Fault, _Key, _Key | None], behind: int) -> bool:
         """Strike out the first such fault behind a place; whether there was one."""
-        for at in self._at.get(key, ()):
+        # What is passed over here is never asked for again: the places asked about only move down.
+        waiting = self._at.get(key)
+        while waiting:
+            at = waiting.popleft()
             if at > behind and found[at] is not None:
                 found[at] = None
                 return True

@@ -28,6 +28,13 @@ class Value(NamedTuple):
     origin: str
 
 
+class Graded(NamedTuple):
+    """A rule's severity, None to switch it off, and the file that says so."""
+
+    severity: Severity | None
+    origin: str
+
+
 @dataclass(frozen=True)
 class Glob:
     """A pattern of paths as in `.gitignore`, relative to a folder. A leading `!` means all files but those."""
@@ -54,7 +61,7 @@ class Config:
     """All that is configured. Keys of ``values`` are like `check.fail-on`; what is not there has its default.
 
     ``layers`` are the selections of the files, lowest first, ``top`` that of the command line;
-    of ``severities``, None switches a rule off. ``origin`` is the file, "" if there is none.
+    ``origin`` is the file, "" if there is none.
     """
 
     values: Mapping[str, Value] = field(default_factory=dict)
@@ -62,7 +69,7 @@ class Config:
     top: tuple[Selection, ...] = ()
     files: tuple[tuple[Glob, str], ...] = ()
     ignores: tuple[tuple[Glob, tuple[str, ...]], ...] = ()
-    severities: Mapping[str, Severity | None] = field(default_factory=dict)
+    severities: Mapping[str, Graded] = field(default_factory=dict)
     origin: str = ""
 
     def get(self, table: str, setting: Setting) -> Value:
@@ -113,14 +120,16 @@ class RuleSets:
 
 def made(dialect: Dialect, config: Config, ignored: Sequence[str] = ()) -> RuleSet:
     """The rule set that a configuration means."""
-    off = Selection(ignore=tuple(name for name, severity in config.severities.items() if severity is None))
+    graded = {name: severity for name, (severity, _) in config.severities.items()}
+    off = Selection(ignore=tuple(name for name, severity in graded.items() if severity is None))
     layers = (*config.layers, off, *config.top)
 
     def on(rule: Rule) -> bool:
         return selected(rule, layers, ignored)
 
     settings = {setting.name: config.get(dialect.name, setting).value for setting in dialect.settings}
-    return RuleSet(dialect, settings, on, {name: each for name, each in config.severities.items() if each is not None})
+    severities = {name: severity for name, severity in graded.items() if severity is not None}
+    return RuleSet(dialect, settings, on, severities)
 
 
 def from_command_line(values: Mapping[str, Any], selection: Selection) -> Config:

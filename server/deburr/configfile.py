@@ -4,13 +4,12 @@ Paths in a configuration file are relative to its own folder and are made absolu
 What is wrong with a file is said with its place, all of it at once.
 """
 
-import posixpath
 import re
 from collections.abc import Iterator, Mapping
-from pathlib import Path
 from typing import Any
 
-from deburr.config import Config, ConfigError, Glob, Value
+from deburr import paths
+from deburr.config import Config, ConfigError, Glob, Graded, Value
 from deburr.finding import Severity
 from deburr.schema import Fault, Free, faults, tables
 from deburr.selection import Selection
@@ -25,14 +24,14 @@ class Configs:
 
     def __init__(self, top: Config | None = None, only: str | None = None) -> None:
         self._top = top or Config()
-        self._only = None if only is None else self._top.over(read(_absolute(Path(only))))
-        self._folders: dict[Path, Config] = {}
+        self._only = None if only is None else self._top.over(read(paths.absolute(only)))
+        self._folders: dict[str, Config] = {}
 
     def of(self, file: str) -> Config:
         """The configuration of a file, given by its absolute path."""
-        return self.in_folder(Path(file).parent)
+        return self.in_folder(paths.parent(file))
 
-    def in_folder(self, folder: Path) -> Config:
+    def in_folder(self, folder: str) -> Config:
         """The configuration of the files in a folder."""
         if self._only is not None:
             return self._only
@@ -40,25 +39,26 @@ class Configs:
             self._folders[folder] = self._found(folder)
         return self._folders[folder]
 
-    def _found(self, folder: Path) -> Config:
+    def _found(self, folder: str) -> Config:
         for name in (FILE, PROJECT):
-            path = folder / name
-            if path.is_file() and (name == FILE or _has_table(path)):
+            path = paths.join(folder, name)
+            if paths.is_file(path) and (name == FILE or _has_table(path)):
                 return self._top.over(read(path))
-        return self._top if folder.parent == folder else self.in_folder(folder.parent)
+        outer = paths.parent(folder)
+        return self._top if outer == folder else self.in_folder(outer)
 
 
-def read(path: Path) -> Config:
+def read(path: str) -> Config:
     """A configuration file with all that it extends; ConfigError if it cannot be used."""
-    found, seen = Config(), list[Path]()
-    following: Path | None = path
+    found, seen = Config(), list[str]()
+    following: str | None = path
     while following is not None:
         if following in seen:
-            raise ConfigError(f"{seen[-1].as_posix()}: `extend` goes round in a circle")
+            raise ConfigError(f"{seen[-1]}: `extend` goes round in a circle")
         seen.append(following)
         data = _data(following)
         found = found.over(_config(data, following))
-        following = _absolute(following.parent / data["extend"]) if "extend" in data else None
+        following = _beside(following, data["extend"]) if "extend" in data else None
     return found
 
 
@@ -86,20 +86,20 @@ def _keys(said: str) -> tuple[str, ...]:
     return tuple(match[0].strip("\"'") for match in re.finditer(_PART, said))
 
 
-def _data(path: Path) -> dict[str, Any]:
+def _data(path: str) -> dict[str, Any]:
     import tomllib
 
     try:
-        text = path.read_bytes().decode("utf-8-sig")
+        text = paths.data(path).decode("utf-8-sig")
         data: Any = tomllib.loads(text)
     except OSError as error:
-        raise ConfigError(f"{path.as_posix()}: {error.strerror}") from None
+        raise ConfigError(f"{path}: {error.strerror}") from None
     except UnicodeDecodeError:
-        raise ConfigError(f"{path.as_posix()}: not UTF-8, as TOML must be") from None
+        raise ConfigError(f"{path}: not UTF-8, as TOML must be") from None
     except tomllib.TOMLDecodeError as error:
         raise ConfigError(_placed(path, str(error))) from None
     prefix: tuple[str, ...] = ()
-    if path.name == PROJECT:
+    if path.endswith(f"/{PROJECT}"):
         prefix = ("tool", "deburr")
         data = data.get("tool", {}).get("deburr", {})
     wrong = list(faults(data)) if isinstance(data, dict) else [Fault((), "`tool.deburr` must be a table")]
@@ -109,8 +109,8 @@ def _data(path: Path) -> dict[str, Any]:
     return found
 
 
-def _config(data: Mapping[str, Any], path: Path) -> Config:
-    origin, folder = path.as_posix(), path.parent.as_posix()
+def _config(data: Mapping[str, Any], path: str) -> Config:
+    folder = paths.parent(path)
     check = data.get("check", {})
     select = check.get("select")
     layer = Selection(
@@ -119,19 +119,19 @@ def _config(data: Mapping[str, Any], path: Path) -> Config:
     return Config(
         values=dict(_values(data, path)),
         layers=(layer,),
-        files=tuple((Glob(folder, pattern, origin), name) for pattern, name in data.get("files", {}).items()),
+        files=tuple((Glob(folder, pattern, path), name) for pattern, name in data.get("files", {}).items()),
         ignores=tuple(
-            (Glob(folder, pattern, origin), tuple(names))
-            for pattern, names in check.get("per-file-ignores", {}).items()
+            (Glob(folder, pattern, path), tuple(names)) for pattern, names in check.get("per-file-ignores", {}).items()
         ),
         severities={
-            name: None if word == "off" else Severity[word.upper()] for name, word in check.get("severity", {}).items()
+            name: Graded(None if word == "off" else Severity[word.upper()], path)
+            for name, word in check.get("severity", {}).items()
         },
-        origin=origin,
+        origin=path,
     )
 
 
-def _values(data: Mapping[str, Any], path: Path) -> Iterator[tuple[str, Value]]:
+def _values(data: Mapping[str, Any], path: str) -> Iterator[tuple[str, Value]]:
     """The settings of the fixed and the dialects' tables, paths made absolute."""
     for (name, *rest), schema in tables().items():
         if rest or isinstance(schema, Free):
@@ -139,10 +139,10 @@ def _values(data: Mapping[str, Any], path: Path) -> Iterator[tuple[str, Value]]:
         given = data.get(name, {})
         for setting in schema:
             if setting.name in given:
-                yield f"{name}.{setting.name}", Value(_useful(setting, given[setting.name], path), path.as_posix())
+                yield f"{name}.{setting.name}", Value(_useful(setting, given[setting.name], path), path)
 
 
-def _useful(setting: Setting, value: Any, path: Path) -> Any:
+def _useful(setting: Setting, value: Any, path: str) -> Any:
     """The value with lists as tuples and paths made absolute; an empty path stays empty."""
     if setting.kind is Kind.PATH:
         return _beside(path, value) if value else value
@@ -151,33 +151,29 @@ def _useful(setting: Setting, value: Any, path: Path) -> Any:
     return tuple(value) if setting.kind is Kind.LIST else value
 
 
-def _beside(path: Path, said: str) -> str:
-    return _absolute(path.parent / said).as_posix()
+def _beside(path: str, said: str) -> str:
+    return paths.absolute(said, paths.parent(path))
 
 
-def _has_table(path: Path) -> bool:
+def _has_table(path: str) -> bool:
     """Whether a project's file speaks of deburr at all; one that is not TOML is another tool's to complain about."""
     import tomllib
 
     try:
-        data = path.read_bytes()
+        data = paths.data(path)
         return b"deburr" in data and "deburr" in tomllib.loads(data.decode()).get("tool", {})
     except (OSError, ValueError):
         return False
 
 
-def _absolute(path: Path) -> Path:
-    return Path(posixpath.normpath(path.absolute().as_posix()))
-
-
-def _placed(path: Path, error: str) -> str:
+def _placed(path: str, error: str) -> str:
     """A TOML error with its place in front."""
     match = re.search(r" \(at line ([0-9]+), column ([0-9]+)\)$", error)
     if match is None:
-        return f"{path.as_posix()}: {error}"
-    return f"{path.as_posix()}:{match[1]}:{match[2]}: {error[: match.start()]}"
+        return f"{path}: {error}"
+    return f"{path}:{match[1]}:{match[2]}: {error[: match.start()]}"
 
 
-def _message(path: Path, text: str, prefix: tuple[str, ...], fault: Fault) -> str:
+def _message(path: str, text: str, prefix: tuple[str, ...], fault: Fault) -> str:
     line = line_of(text, (*prefix, *fault.path))
-    return f"{path.as_posix()}{f':{line}' if line else ''}: {fault.message}"
+    return f"{path}{f':{line}' if line else ''}: {fault.message}"

@@ -1,11 +1,11 @@
 """Which dialect a file is written in, and why. Never guesses: no answer is an answer, never a silent default."""
 
-import posixpath
 import re
 from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import NamedTuple
 
+from deburr.paths import extension
 from deburr.suggest import suggestion
 from deburr.suppress import comment_pattern
 from deburr_grammar.dialect import Dialect
@@ -59,11 +59,6 @@ def modeline(text: str) -> Answer | None:
                 return Answer(name, f"the modeline in {where}")
             return Answer(None, f"the modeline in {where} names `{name}`, which is no dialect{suggestion(name, NAMES)}")
     return None
-
-
-def extension(file: str) -> str:
-    """A file's extension in small letters, with its dot."""
-    return posixpath.splitext(file)[1].lower()
 
 
 def known_extensions() -> frozenset[str]:

@@ -62,7 +62,9 @@ class Line(NamedTuple):
 
 
 class Syntax(NamedTuple):
-    """The rule is called for each Problem of its own name: `check(line, problem)`."""
+    """The rule is called for each Problem of its own name, and for each node of ``kinds`` that can break it though it can be read: `check(line, part)`."""
+
+    kinds: tuple[str, ...] = ()
 
 
 class Nodes(NamedTuple):

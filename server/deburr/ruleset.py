@@ -59,7 +59,7 @@ class RuleSet:
     def _planned(self, shape: Shape, reading: Reading) -> tuple[Rule, ...]:
         facts = shape.facts(reading)
         problems = {problem.kind for problem in facts.problems}
-        plan = [rule for rule in self._on_syntax if rule.short in problems]
+        plan = [r for r, kinds in self._on_syntax if r.short in problems or not kinds.isdisjoint(facts.kinds)]
         sample = LineNode(shape.text, reading, shape)
         for rule, kinds, by_shape in self._on_nodes:
             # A shape is a line of its own, and the sample of all lines that share it.
@@ -75,7 +75,7 @@ class RuleSet:
                 for problem in node.problems:
                     if problem.kind == rule.short:
                         yield from ((rule, report) for report in rule.check(line, problem))
-            elif isinstance(rule.trigger, Nodes):
+            if isinstance(rule.trigger, Syntax | Nodes):
                 for part in node.find(*rule.trigger.kinds):
                     yield from ((rule, report) for report in rule.check(line, part))
             else:
@@ -107,8 +107,9 @@ class RuleSet:
         return {rule.short: rule for rule in self.rules if isinstance(rule.trigger, Noticed)}
 
     @cached_property
-    def _on_syntax(self) -> tuple[Rule, ...]:
-        return tuple(rule for rule in self.rules if isinstance(rule.trigger, Syntax))
+    def _on_syntax(self) -> tuple[tuple[Rule, frozenset[str]], ...]:
+        syntax = ((rule, rule.trigger) for rule in self.rules if isinstance(rule.trigger, Syntax))
+        return tuple((rule, frozenset(trigger.kinds)) for rule, trigger in syntax)
 
     @cached_property
     def _on_nodes(self) -> tuple[tuple[Rule, frozenset[str], bool], ...]:

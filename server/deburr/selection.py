@@ -1,7 +1,7 @@
 """Which rules are on: names and prefixes that select and ignore, in layers. Never loads a rule."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from deburr.rule import Rule, covers, rule_names
 from deburr.suggest import suggestion
@@ -10,8 +10,7 @@ from deburr_grammar.dialects import NAMES
 ALL = "ALL"
 
 
-@dataclass(frozen=True, slots=True)
-class Selection:
+class Selection(NamedTuple):
     """One layer: a configuration file or the command line. ``select`` None: what the layers below say stands."""
 
     select: tuple[str, ...] | None = None

@@ -1,7 +1,7 @@
 """Bytes to text and nothing lost: encodings, byte order marks, the padding of tapes. Never looks at what the text means."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from deburr.rule import Notice
 from deburr_grammar.text import Span, split_lines
@@ -11,8 +11,7 @@ _BOM = b"\xef\xbb\xbf"
 _WIDE = (b"\xff\xfe", b"\xfe\xff")
 
 
-@dataclass(frozen=True, slots=True)
-class Source:
+class Source(NamedTuple):
     """A program as text. ``lead`` and ``tail`` are the NULs and the final ^Z around it, which tapes and transfers leave; ``bom``: whether a byte order mark stood first."""
 
     text: str
@@ -41,8 +40,7 @@ class Source:
             yield Notice(PADDING, len(last) - 1, Span(col, col + len(self.tail)), _said(self.tail))
 
 
-@dataclass(frozen=True, slots=True)
-class NotAProgram:
+class NotAProgram(NamedTuple):
     """Bytes that no control takes for a program, and why."""
 
     reason: str

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from deburr_grammar.dialect import Dialect
 
-ODD = ("\r", "\r\n", "\n\r", "\f", "\v", "\x1c", "\x85", "\u2028", "\u2029", "\0", "\t", " ", "😋", "é", "K", "ſ", "İ", "٣", "¹", "\x7f", "\ufeff")
+ODD = ("\r", "\r\n", "\n\r", "\f", "\v", "\x1c", "\x85", "\u2028", "\u2029", "\0", "\t", " ", "😋", "é", "\u212a", "\u017f", "\u0130", "\u0131", "\u0663", "\u00b9", "\x7f", "\ufeff")
 """Line ends that are none, line ends that are, and letters and digits that only look like ASCII."""
 
 DIGITS = ("0", "7", "12", "00", "3.5", ".", "1.", ".5", "999999999", "9" * 40)
@@ -73,6 +73,11 @@ _RS274 = Alphabet(
         "#1 5",
         "#<open=3",
         "X--1",
+        "S800 K1 I-2",
+        "G" + "9" * 50 + " M" + "0" * 50 + "3",
+        "o" + "9" * 50 + " if [1]",
+        "(debug, a ; b #1) X1",
+        "(debug, a ; b (c 1) X1",
         "X1.2.3",
         "X.",
         "X1 & Y2",

@@ -4,7 +4,7 @@ from importlib import import_module
 
 from deburr_grammar.dialect import Dialect
 
-NAMES = ("rs274",)
+NAMES = ("metagcode", "rs274", "cgt", "z32")
 """Ids of the dialects, which are also their folders and their language ids in editors."""
 
 

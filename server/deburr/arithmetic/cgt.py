@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
 from decimal import ROUND_HALF_UP, Decimal, localcontext
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr.arithmetic import ArithmeticFault
 from deburr_grammar.tree import Node, Token
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
 
 Value = float | ArithmeticFault | None
 _DIGITS = 1_000
@@ -137,7 +139,7 @@ def _function(text: str, part: Node) -> Value:
         return fault
     numbers = tuple(value for value in values if isinstance(value, float))
     value: float | Refused | None
-    if name in ("MOD", "STRSUB") and len(numbers) < len(parts) or name == "STRSUB":
+    if (name in ("MOD", "STRSUB") and len(numbers) < len(parts)) or name == "STRSUB":
         value = _decided_by_rest(name, values)
     else:
         value = call(name, numbers) if len(numbers) == len(parts) else None

@@ -1,7 +1,5 @@
 """Z32's arithmetic on IEEE doubles (spec/z32.md §4, §11): operators, functions, rounding, comparison, polar conversion."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from decimal import ROUND_HALF_UP, Decimal
@@ -29,8 +27,8 @@ def evaluate(text: str, part: Node | Token, read: Read) -> Value:
     """The value of a part of a line: a number, an expression or a value with its sign. Parameters are asked of ``read``."""
     if isinstance(part, Token):
         if part.kind == "NUMBER":
-            value = number(text[part.start : part.end])
-            return value if math.isfinite(value) else None
+            written = number(text[part.start : part.end])
+            return written if math.isfinite(written) else None
         return math.pi if part.kind == "PI" else read(part)
     match part.kind:
         case "angle" | "group":

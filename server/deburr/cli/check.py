@@ -4,16 +4,16 @@ import argparse
 import os
 import sys
 from collections.abc import Iterable, Sequence
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple, TextIO
 
+from deburr import paths
 from deburr.cli import reporters
 from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.files import STDIN, Target, targets
 from deburr.cli.result import Result
 from deburr.cli.run import Checker, Options, Outcome, outcomes
-from deburr.cli.style import Style, style_for, working_folder
-from deburr.config import ConfigError, from_command_line
+from deburr.cli.style import Style, style_for
+from deburr.config import Config, ConfigError, from_command_line
 from deburr.configfile import Configs
 from deburr.schema import LEVELS
 from deburr.selection import Selection, unknown
@@ -46,10 +46,9 @@ def parser() -> argparse.ArgumentParser:
         "--profile", metavar="P", help="whose manual decides, in dialects that have profiles (rs274: linuxcnc, smithy)"
     )
     add_config(found)
-    rules = {"type": _rules, "action": "extend", "metavar": "RULES"}
-    found.add_argument("--select", help="rules or prefixes that are on, comma separated; ALL for all", **rules)
-    found.add_argument("--extend-select", default=[], help="rules or prefixes that are on besides", **rules)
-    found.add_argument("--ignore", default=[], help="rules or prefixes that are off", **rules)
+    _add_rules(found, "--select", None, "rules or prefixes that are on, comma separated; ALL for all")
+    _add_rules(found, "--extend-select", [], "rules or prefixes that are on besides")
+    _add_rules(found, "--ignore", [], "rules or prefixes that are off")
     found.add_argument(
         "--fail-on", choices=LEVELS, help="the least severity for which the exit code is 1 (default: error)"
     )
@@ -78,17 +77,20 @@ def parser() -> argparse.ArgumentParser:
     return found
 
 
+def _add_rules(found: argparse.ArgumentParser, name: str, default: list[str] | None, text: str) -> None:
+    found.add_argument(name, type=_rules, action="extend", default=default, metavar="RULES", help=text)
+
+
 def run(arguments: argparse.Namespace) -> int:
     """Check and report."""
     try:
         outputs = _outputs(arguments)
         configs = Configs(_top(arguments), arguments.config)
-        paths = arguments.paths or ([STDIN] if arguments.stdin_filename else ["."])
-        found = targets(paths, configs)
+        given = arguments.paths or ([STDIN] if arguments.stdin_filename else ["."])
+        found = targets(given, configs)
         for target in found:
-            configs.of(
-                target.file if target.file != STDIN else arguments.stdin_filename or f"{working_folder()}/{STDIN}"
-            )
+            # Here, so that a configuration that cannot be used is said before anything is reported.
+            configs.of(target.file if target.file != STDIN else paths.absolute(arguments.stdin_filename or STDIN))
     except ConfigError as error:
         return unable(error.messages)
     options = Options(arguments.dialect, arguments.stdin_filename, any(each.form == "full" for each in outputs))
@@ -106,7 +108,7 @@ def run(arguments: argparse.Namespace) -> int:
     return result.code(arguments.exit_zero)
 
 
-def _top(arguments: argparse.Namespace) -> Any:
+def _top(arguments: argparse.Namespace) -> Config:
     """What the command line lays over all configuration."""
     values = {} if arguments.fail_on is None else {"check.fail-on": arguments.fail_on}
     select = None if arguments.select is None else tuple(arguments.select)
@@ -145,11 +147,11 @@ def _write(result: Result, output: Output, arguments: argparse.Namespace) -> Non
     if not output.file:
         _report(result, output.form, arguments, sys.stdout, style_for(sys.stdout))
         return
-    with Path(output.file).open("w", encoding="utf-8", newline="\n") as out:
-        _report(result, output.form, arguments, out, Style(False, working_folder()))
+    with open(output.file, "w", encoding="utf-8", newline="\n") as out:  # noqa: PTH123  pathlib is not loaded for this.
+        _report(result, output.form, arguments, out, Style(False, paths.working_folder()))
 
 
-def _report(result: Result, form: str, arguments: argparse.Namespace, out: Any, style: Style) -> None:
+def _report(result: Result, form: str, arguments: argparse.Namespace, out: TextIO, style: Style) -> None:
     reporter = reporters.by_name(form)
     if arguments.statistics:
         reporter.statistics(result.statistics(), out, style)
@@ -161,7 +163,7 @@ def _report(result: Result, form: str, arguments: argparse.Namespace, out: Any, 
 
 def _say(found: Iterable[Outcome], verbose: bool) -> None:
     """Messages about files: what could not be checked, and, if wanted, how the others were read."""
-    style = Style(False, working_folder())
+    style = Style(False, paths.working_folder())
     for outcome in found:
         name = style.file(outcome.file)
         if outcome.failure:
@@ -177,7 +179,7 @@ def _processes(asked: int | None, found: Sequence[Target]) -> int:
     if asked is not None or len(found) < 2:
         return asked or 1
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    size = sum(Path(target.file).stat().st_size for target in found if target.file != STDIN and not target.failure)
+    size = sum(paths.size(target.file) for target in found if target.file != STDIN and not target.failure)
     return cores if size >= _WORTH_FORKING else 1
 
 

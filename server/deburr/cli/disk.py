@@ -5,9 +5,8 @@ and a name that stands in a program, is looked for beside the program.
 """
 
 from collections.abc import Sequence
-from pathlib import Path
 
-from deburr import source
+from deburr import paths, source
 
 
 class Disk:
@@ -19,20 +18,20 @@ class Disk:
     def read(self, path: str) -> str | None:
         """The text of a file, decoded as programs are."""
         if path not in self._texts:
-            self._texts[path] = _text(Path(path))
+            self._texts[path] = _text(path)
         return self._texts[path]
 
     def names(self, folder: str) -> Sequence[str]:
         """The names in a folder, in order."""
         try:
-            return sorted(path.name for path in Path(folder).iterdir())
+            return paths.names(folder)
         except OSError:
             return ()
 
 
-def _text(path: Path) -> str | None:
+def _text(path: str) -> str | None:
     try:
-        data = path.read_bytes()
+        data = paths.data(path)
     except (OSError, ValueError):
         return None
     found = source.read(data)

@@ -2,7 +2,6 @@
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -15,15 +14,15 @@ class Row(NamedTuple):
 
     rule: str
     severity: Severity
-    count: int
+    times: int
     summary: str
 
 
-@dataclass(frozen=True)
 class Result:
     """The outcomes in the order of their files."""
 
-    outcomes: tuple[Outcome, ...]
+    def __init__(self, outcomes: tuple[Outcome, ...]) -> None:
+        self.outcomes = outcomes
 
     def findings(self) -> Iterator[tuple[Finding, str]]:
         """All findings in order of file, row and column, each with the dialect that it was found in."""
@@ -33,7 +32,7 @@ class Result:
     @cached_property
     def texts(self) -> dict[tuple[str, int], str]:
         """The lines that reports show, by file and line."""
-        return {place: text for outcome in self.outcomes for place, text in outcome.texts.items()}
+        return {place: text for outcome in self.outcomes for place, text in outcome.texts}
 
     def statistics(self) -> list[Row]:
         """How often each rule spoke: the most frequent first."""
@@ -43,7 +42,7 @@ class Result:
         dialects = {dialect for _, dialect in self.findings()}
         summaries = {rule.name: rule.summary for dialect in dialects for rule in rules_of(dialect)}
         rows = [Row(rule, severity, count, summaries[rule]) for (rule, severity), count in counts.items()]
-        return sorted(rows, key=lambda row: (-row.count, row.rule))
+        return sorted(rows, key=lambda row: (-row.times, row.rule))
 
     def summary(self) -> str:
         """The last line of reports for people: `Found 3 errors, 1 warning in 2 files (12 checked)`."""

@@ -1,14 +1,13 @@
 """One file from its bytes to an outcome, and many of them on several cores in the same order. Prints nothing."""
 
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from pathlib import Path
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 
-from deburr import source
+from deburr import paths, source
 from deburr.check import check
 from deburr.cli.disk import Disk
-from deburr.cli.files import STDIN, Target, absolute
+from deburr.cli.files import STDIN, Target
 from deburr.config import Config, RuleSets
 from deburr.configfile import Configs
 from deburr.detect import Answer, Hints, detect
@@ -21,8 +20,7 @@ AROUND = 2
 """Lines shown before and behind the line of a finding."""
 
 
-@dataclass(frozen=True, slots=True)
-class Outcome:
+class Outcome(NamedTuple):
     """What became of a file: findings, or why it was skipped (``dialect`` None), or why it could not be read (``failure``)."""
 
     file: str
@@ -32,11 +30,10 @@ class Outcome:
     fails: bool = False
     failure: str = ""
     origin: str = ""
-    texts: Mapping[tuple[str, int], str] = field(default_factory=dict)
+    texts: tuple[tuple[tuple[str, int], str], ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Options:
+class Options(NamedTuple):
     """What holds for all files: the dialect that was asked for, the name of standard input, whether lines are to be shown."""
 
     dialect: str | None = None
@@ -59,13 +56,13 @@ class Checker:
             return Outcome(target.file, failure=target.failure)
         file, name = target.file, target.file
         if file == STDIN:
-            name = absolute(self._options.stdin_name) if self._options.stdin_name else ""
+            name = paths.absolute(self._options.stdin_name) if self._options.stdin_name else ""
             file = name or STDIN
         try:
-            data = sys.stdin.buffer.read() if target.file == STDIN else Path(file).read_bytes()
+            data = sys.stdin.buffer.read() if target.file == STDIN else paths.data(file)
         except OSError as error:
             return Outcome(file, failure=error.strerror or "cannot be read")
-        config = self._configs.of(name) if name else self._configs.in_folder(Path.cwd())
+        config = self._configs.of(name) if name else self._configs.in_folder(paths.working_folder())
         return self._checked(source.read(data), file, name, target.named, config)
 
     def _checked(self, found: Source | NotAProgram, file: str, name: str, named: bool, config: Config) -> Outcome:
@@ -79,7 +76,7 @@ class Checker:
         dialect = by_name(answer.dialect)
         host: Host = self._disk if name else NoFiles()
         findings = check(found, dialect, self._rulesets.of(dialect, config, name or file), file, host)
-        texts = dict(_texts(findings, file, found, host)) if self._options.texts and findings else {}
+        texts = tuple(dict(_texts(findings, file, found, host)).items()) if self._options.texts and findings else ()
         fails = any(finding.severity >= config.fail_on for finding in findings)
         return Outcome(file, dialect.name, answer.reason, tuple(findings), fails, "", config.origin, texts)
 

@@ -1,18 +1,16 @@
 """How text is shown to people: colours, file names, characters that a terminal must not obey."""
 
 import os
-from dataclasses import dataclass
-from pathlib import Path
-from typing import TextIO
+from typing import NamedTuple, TextIO
 
 from deburr.finding import Severity
+from deburr.paths import working_folder
 
 _CODES = {"bold": "1", Severity.ERROR: "1;31", Severity.WARNING: "1;33", Severity.INFO: "1;36", "frame": "1;34"}
 _BIDI = "\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\u200e\u200f\u061c"
 
 
-@dataclass(frozen=True, slots=True)
-class Style:
+class Style(NamedTuple):
     """Whether colours are used, and the folder below which file names are shown short."""
 
     colour: bool = False
@@ -29,12 +27,7 @@ class Style:
 
 def style_for(out: TextIO) -> Style:
     """The style for a stream: colours on a terminal, unless NO_COLOR forbids or FORCE_COLOR demands them."""
-    return Style(_wants_colour(out), working_folder())
-
-
-def working_folder() -> str:
-    """The working folder, written as files are."""
-    return Path.cwd().as_posix().rstrip("/")
+    return Style(_wants_colour(out), working_folder().rstrip("/"))
 
 
 def plain(text: str) -> str:

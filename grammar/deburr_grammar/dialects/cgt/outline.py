@@ -21,7 +21,27 @@ TABLE_WORDS = frozenset({"ABSI", "ADIR", "BDIR", "COOLNT", "CYCLE", "DCOMP", "MO
 """System words that print a row of the section of their own name (spec/cgt.md §11, *Words*)."""
 
 SECTIONS = frozenset(
-    "DECLARE START END CYCLCHG TOOLCHG RAP LINE ARC XZARC YZARC HELIX DWELL STPROF ENDPROF FXD1 FXD2 FXD3 FXD4 FXD5".split()
+    [
+        "DECLARE",
+        "START",
+        "END",
+        "CYCLCHG",
+        "TOOLCHG",
+        "RAP",
+        "LINE",
+        "ARC",
+        "XZARC",
+        "YZARC",
+        "HELIX",
+        "DWELL",
+        "STPROF",
+        "ENDPROF",
+        "FXD1",
+        "FXD2",
+        "FXD3",
+        "FXD4",
+        "FXD5",
+    ]
 )
 """Sections that the generator runs by itself. None of them is ever a table."""
 
@@ -72,7 +92,9 @@ class CGTOutline:
         if "END" in line.kinds and not line.problems:
             return Step(HEADER, ended, State(OUTSIDE)) if ended else Step(state.reading, (), state)
         name, span = section_name(line)
-        return Step(HEADER, (*ended, Bracket(Role.REGION, "section", "@", name, span)), State(_read_as(name, facts), name))
+        return Step(
+            HEADER, (*ended, Bracket(Role.REGION, "section", "@", name, span)), State(_read_as(name, facts), name)
+        )
 
 
 def section_name(line: LineNode) -> tuple[str, Span]:

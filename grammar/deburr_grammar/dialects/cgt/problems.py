@@ -30,7 +30,25 @@ WORDS = {
 }
 
 _COMMANDS = frozenset(
-    "DECLARE EVAL MACRO CALL GOTO RESET UPDATE TABLE FMT GETBLK SETBLK RETNUM RETSTR IF IFSTR IFCHG REPEAT".split()
+    [
+        "DECLARE",
+        "EVAL",
+        "MACRO",
+        "CALL",
+        "GOTO",
+        "RESET",
+        "UPDATE",
+        "TABLE",
+        "FMT",
+        "GETBLK",
+        "SETBLK",
+        "RETNUM",
+        "RETSTR",
+        "IF",
+        "IFSTR",
+        "IFCHG",
+        "REPEAT",
+    ]
 )
 _KINDS = {"EVAL": "eval-syntax", "IF": "if-syntax", "IFSTR": "if-syntax", "IFCHG": "ifchg-argument"}
 _RUN = re.compile(r"[#@$]?[A-Za-z0-9_.]+|<>|<=|>=|[^ \t]")
@@ -48,12 +66,12 @@ def diagnose(fault: SyntaxFault) -> Problem:
 
 def _outside(fault: SyntaxFault) -> Problem:
     """A header or a table row: in a template line only commands can be faulty."""
-    text = fault.text.partition("//")[0].rstrip()
-    if not text.startswith("@"):
-        return Problem("table-row", len(text) - len(text.lstrip()), len(text), ("`,`",))
-    behind = fault.before.end if fault.before else 0
-    start = len(text) - len(text[behind:].lstrip())
-    return Problem("section-name", start, len(text))
+    before = fault.before
+    text = fault.text.partition("//")[0].rstrip(" \t")
+    if before is not None and before.kind == "LABEL":
+        return Problem("table-row", before.start, len(text), ("`,`",))
+    behind = before.end if before else 0
+    return Problem("section-name", len(text) - len(text[behind:].lstrip(" \t")), len(text))
 
 
 def _kind(command: Part, fault: SyntaxFault) -> str:

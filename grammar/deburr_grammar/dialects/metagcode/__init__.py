@@ -19,12 +19,20 @@ DIALECT = Dialect(
     comments=(("(", ")"), (";", "")),
     frame="{}\n",
     evidence=(
-        Evidence(r"(?im)^[ \t]*#(?:end)?(?:if|loop)[0-9]+(?=[ \t]|$)", "a block directive such as `#IF1` or `#LOOP1`"),
-        Evidence(r"(?im)^[ \t]*#file[ \t]+[^ \t\n|=]", "a snippet reference `#FILE name`"),
-        Evidence(r"(?m)(?<![A-Za-z0-9_|<])[A-Za-z][-+]?\|[ \t]*[A-Za-z_][^|\n]*\|", "a word whose value is a variable, such as `X|name|`"),
+        Evidence(r"(?aim)^[ \t]*#(?:end)?(?:if|loop)[0-9]+(?=[ \t\r]|$)", "a block directive such as `#IF1` or `#LOOP1`"),
+        Evidence(r"(?aim)^[ \t]*#file[ \t]+[^ \t\n|=]", "a snippet reference `#FILE name`"),
+        Evidence(
+            r"(?m)(?<![A-Za-z0-9_|<])[A-Za-z][-+]?\|[ \t]*[A-Za-z_][^|\n]*\|",
+            "a word whose value is a variable, such as `X|name|`",
+        ),
     ),
     settings=(
-        Setting("snippets-dir", Kind.PATH, "Snippets", "the folder of snippet files, beside the program unless it is an absolute path"),
+        Setting(
+            "snippets-dir",
+            Kind.PATH,
+            "Snippets",
+            "the folder of snippet files, beside the program unless it is an absolute path",
+        ),
         Setting("variables", Kind.PATH, "", "a file with the values of variables: name=value lines, or JSON"),
     ),
 )

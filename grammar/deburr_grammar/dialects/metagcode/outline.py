@@ -24,7 +24,7 @@ _DIRECTIVES = {
 class MetaGCodeOutline:
     """Every line is read alike; directives alone have brackets."""
 
-    marks = r"(?i)^[ \t]*#(?:(?:end)?(?:if|loop)|file)(?![a-z])"
+    marks = r"(?ai)^[ \t]*#(?:(?:end)?(?:if|loop)|file)(?![a-z])"
     needs_depth = ""
 
     def facts(self, text: str) -> frozenset[str]:

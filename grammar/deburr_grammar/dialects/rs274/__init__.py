@@ -1,6 +1,7 @@
 """RS274/NGC with parameters, expressions and O-words (SmithyCNC, EMC2, LinuxCNC): `spec/rs274.md`."""
 
 from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting
+from deburr_grammar.dialects.rs274.modality import MODALITY
 from deburr_grammar.dialects.rs274.outline import READINGS, RS274Outline
 from deburr_grammar.dialects.rs274.problems import WORDS, diagnose
 from deburr_grammar.shape import Folding
@@ -24,6 +25,7 @@ DIALECT = Dialect(
     diagnose=diagnose,
     words=WORDS,
     comments=(("(", ")"), (";", "")),
+    modality=MODALITY,
     frame="G21 G90 G17\n{}\nF100\nM2\n",
     evidence=(
         Evidence(r"(?im)^[ \t]*/?[ \t]*(?:n[0-9]+[ \t]*)?o[ \t]*(?:<[^<>\n]+>|[0-9]+)[ \t]*(?:sub|endsub|call|if|elseif|else|endif|while|endwhile|do|repeat|endrepeat|return)\b", "an O-word with a flow command"),

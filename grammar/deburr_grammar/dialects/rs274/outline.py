@@ -51,8 +51,9 @@ _BLANKS = re.compile(r"[ \t]+")
 class RS274Outline:
     """The fold over O-words, program ends and percent lines."""
 
-    needs_depth = r"(?i:m[ \t]*0*[ \t]*(?:2|3[ \t]*0)[ \t]*(?:\.[0 \t]*)?(?![0-9.]))"
-    marks = rf"(?i:^[ \t]*/?[ \t]*(?:n[ \t0.]*)?o)|^[ \t]*%|{needs_depth}"
+    # Possessive throughout: a line of blanks must not be gone through once for each of them.
+    needs_depth = r"(?i:m[ \t]*+0*+[ \t]*+(?:2|3[ \t]*+0)[ \t]*+(?:\.[0 \t]*+)?+(?![0-9.]))"
+    marks = rf"(?i:^[ \t]*+/?+[ \t]*+(?:n[ \t0.]*+)?+o)|^[ \t]*+%|{needs_depth}"
 
     def facts(self, text: str) -> frozenset[str]:
         """Nothing of the whole is needed."""
@@ -114,7 +115,7 @@ def label_of(text: str, label: Node) -> str | None:
     only = label.children[0]
     if len(label.children) == 1 and isinstance(only, Token):
         said = _BLANKS.sub("", text[only.start : only.end]).strip("<>").lower()
-        return str(int(float(said))) if re.fullmatch(r"[0-9]+\.?0*", said) else said
+        return said.partition(".")[0].lstrip("0") or "0" if re.fullmatch(r"[0-9]+\.?0*", said) else said
     return None
 
 

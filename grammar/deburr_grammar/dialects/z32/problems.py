@@ -38,9 +38,12 @@ WORDS = {
 }
 
 _LETTERS = re.compile(r"[A-Za-z_$]+")
+_ALIKE = re.compile(r"[A-Za-z_$]+|[0-9.,]+|\([^()]*\)?|;.*")
+_GROUP = re.compile(r"\([^()]*\)")
 _RELATION = re.compile(r"(?:[<>=]|&[lg]t)+")
 _FIELD_END = re.compile(r"[ \t]*(?:[;!]|$)")
 _NAMES = ("NAME", "OTHER", "ALIAS_NAME", "RESERVED", "VECTOR")
+_ADDRESSES = (*_NAMES, "other", "alias_name", "reserved", "vector", "N", "G", "G26", "M_END")
 _CLOSERS = {
     "LANGLE": ("RANGLE", re.compile(r">|&gt")),
     "LPAR": ("RPAR", re.compile(r"\)")),
@@ -58,7 +61,7 @@ def diagnose(fault: SyntaxFault) -> Problem:
     kind, start, end = _comment(fault) or _function(fault) or _expression(fault) or _relation(fault) or _plain(fault)
     start = min(start, max(len(fault.text) - 1, 0))
     words = (WORDS[name] for name in WORDS if name in fault.expected)
-    return Problem(kind, start, max(end, start + 1), tuple(dict.fromkeys(words)) if kind in _TELLING else ())
+    return Problem(kind, start, min(max(end, start + 1), len(fault.text)), tuple(dict.fromkeys(words)) if kind in _TELLING else ())
 
 
 def _comment(fault: SyntaxFault) -> Place | None:
@@ -75,7 +78,7 @@ def _function(fault: SyntaxFault) -> Place | None:
     before = fault.before
     if before is None or before.kind not in ("FUNCTION", *_NAMES):
         return None
-    end = _run(fault.text, before.start)
+    end = _letters(fault.text, before.start)
     called = fault.text[end:].lstrip(" \t").startswith("(")
     if before.kind == "FUNCTION":
         unknown = called and end > before.end
@@ -101,8 +104,7 @@ def _expression(fault: SyntaxFault) -> Place | None:
         return "relational-outside-if", fault.start, _relation_end(fault)
     if _ends(fault) and before is not None:
         return "expression-syntax", before.start, before.end
-    end = _run(fault.text, fault.start) if _char(fault) != "(" else fault.text.find(")", fault.start) + 1
-    return "expression-syntax", fault.start, end or len(fault.text)
+    return "expression-syntax", fault.start, _run(fault.text, fault.start)
 
 
 def _condition(fault: SyntaxFault, condition: Part) -> Place:
@@ -135,8 +137,9 @@ def _plain(fault: SyntaxFault) -> Place:
     before = fault.before
     if "DOLLAR" in {token.kind for token in fault.tokens}:
         return "word-syntax", fault.tokens[0].start, len(fault.text.rstrip())
-    if before is not None and "NUMBER" in fault.expected and before.kind in (*_NAMES, "N", "G", "G26", "M_END"):
-        return "word-syntax", before.start, _run(fault.text, before.start)
+    address = fault.stack[-1] if fault.stack else None
+    if address is not None and "NUMBER" in fault.expected and address.kind in _ADDRESSES:
+        return "word-syntax", address.start, max(address.end, _letters(fault.text, address.start))
     if before is not None and (before.kind in _NAMES or (before.kind == "SIGN" and "NUMBER" in fault.expected)):
         return "word-syntax", before.start, max(before.end, _trimmed(fault))
     return "word-syntax", fault.start, _run(fault.text, fault.start)
@@ -170,7 +173,9 @@ def _computes(fault: SyntaxFault) -> bool:
 
 
 def _never_closed(fault: SyntaxFault, opener: Part) -> bool:
-    return _CLOSERS[opener.kind][1].search(fault.text, fault.start) is None
+    """Whether nothing that could close it stands at the fault or behind it, comments left out."""
+    rest = fault.text[fault.start :].partition(";")[0]
+    return _CLOSERS[opener.kind][1].search(_GROUP.sub("", rest) if opener.kind != "LPAR" else rest) is None
 
 
 def _compares(fault: SyntaxFault) -> bool:
@@ -200,7 +205,13 @@ def _char(fault: SyntaxFault) -> str:
     return fault.text[fault.start : fault.start + 1]
 
 
-def _run(text: str, start: int) -> int:
-    """The end of the letters that start there, or of one character."""
+def _letters(text: str, start: int) -> int:
+    """The end of the letters that start there."""
     match = _LETTERS.match(text, start)
+    return match.end() if match else start
+
+
+def _run(text: str, start: int) -> int:
+    """The end of the letters, the number or the comment that starts there, or of one character."""
+    match = _ALIKE.match(text, start)
     return match.end() if match else start + 1

@@ -21,7 +21,7 @@ def report(result: Result, out: TextIO, style: Style) -> None:
 def statistics(rows: Iterable[Row], out: TextIO, style: Style) -> None:
     """Write how often each rule spoke."""
     rows = list(rows)
-    width = max((len(str(row.count)) for row in rows), default=0)
+    width = max((len(str(row.times)) for row in rows), default=0)
     for row in rows:
         severity = style.paint(row.severity.word, row.severity)
-        out.write(f"{row.count:>{width}}\t{style.paint(row.rule, 'bold')}\t{severity}\t{row.summary}\n")
+        out.write(f"{row.times:>{width}}\t{style.paint(row.rule, 'bold')}\t{severity}\t{row.summary}\n")

@@ -40,7 +40,7 @@ def as_object(finding: Finding, dialect: str) -> dict[str, Any]:
 
 def row_as_object(row: Row) -> dict[str, Any]:
     """A line of the statistics."""
-    return {"rule": row.rule, "severity": row.severity.word, "count": row.count, "summary": row.summary}
+    return {"rule": row.rule, "severity": row.severity.word, "count": row.times, "summary": row.summary}
 
 
 def _ends(place: Place) -> dict[str, Any]:

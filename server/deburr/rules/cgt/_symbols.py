@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 from functools import lru_cache
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from deburr_grammar.codes import CodeTable
 from deburr_grammar.dialects.cgt import DIALECT
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from deburr_grammar.codes import CodeTable
 
 CONTROLS = frozenset({"AND", "OR", "EXC", "ELSE", "EXIT", "EXITC", "ONBLK"})
 """Commands without parentheses: text may abut them as it may abut words."""
@@ -54,12 +57,16 @@ class Symbols:
 
     def __init__(self, declared: Mapping[str, Word], machine: Mapping[str, str]) -> None:
         self._known = {name: Word(name, kind, True) for name, kind in machine.items()} | _system()
-        self.declared = {name: word for name, word in declared.items() if self.system(name) is None}
+        self.declared = {name: word for name, word in declared.items() if not self.reserved(name)}
         self._memo: dict[tuple[str, bool], Spelled] = {}
 
     def system(self, name: str) -> Word | None:
         """A word that exists without declaration, in any case."""
         return self._known.get(name.upper()) or _numbered(name.upper())
+
+    def reserved(self, name: str) -> bool:
+        """Whether a template may not declare that name."""
+        return self.system(name) is not None or name.upper() in commands() or name in format_classes()
 
     def find(self, name: str) -> Word | None:
         """The word of that name, declared ones first; those are case-sensitive."""
@@ -119,11 +126,6 @@ def format_classes() -> frozenset[str]:
 def functions() -> Mapping[str, tuple[int, int]]:
     """How few and how many arguments each function takes."""
     return {entry.name: (entry.more["min_args"], entry.more["max_args"]) for entry in _codes().table("function")}
-
-
-def reserved(symbols: Symbols, name: str) -> bool:
-    """Whether a template may not declare that name."""
-    return symbols.system(name) is not None or name.upper() in commands() or name in format_classes()
 
 
 @lru_cache(maxsize=1)

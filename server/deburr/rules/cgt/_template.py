@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -12,14 +11,18 @@ from weakref import WeakKeyDictionary
 from deburr.rules.cgt._symbols import DECLARED_TYPES, Spelled, Symbols, Word
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.cgt.outline import brackets, section_name
-from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
-from deburr_grammar.tree import Node, Token
+from deburr_grammar.tree import Node, Token, tokens
 
 if TYPE_CHECKING:
-    from deburr.analysis import Analysis
+    from collections.abc import Iterator
 
-COMMANDS = frozenset({"declaration", "eval", "macro", "call", "mark", "lookup", "fmt", "block", "returned", "if", "repeat"})
+    from deburr.analysis import Analysis
+    from deburr_grammar.line import LineNode
+
+COMMANDS = frozenset(
+    {"declaration", "eval", "macro", "call", "mark", "lookup", "fmt", "block", "returned", "if", "repeat"}
+)
 _TOKENS = {
     "TEXT": "text",
     "WORD": "word",
@@ -65,7 +68,7 @@ class Item:
         """Whether it puts something other than blanks on the output line."""
         if self.kind == "block":
             return self.name == "GETBLK"
-        return self.kind in ("word", "lookup") or self.kind == "text" and not self.blank
+        return self.kind in ("word", "lookup") or (self.kind == "text" and not self.blank)
 
 
 @dataclass(eq=False)
@@ -157,7 +160,10 @@ class Template:
     def __init__(self, analysis: Analysis) -> None:
         self.lines = tuple(_read_lines(analysis))
         self.declarations = [found for line, node in self.lines for found in _declarations(line, node)]
-        words = [Word(d.name, DECLARED_TYPES[d.command], not d.command.startswith("CALC")) for d in reversed(self.declarations)]
+        words = [
+            Word(d.name, DECLARED_TYPES[d.command], not d.command.startswith("CALC"))
+            for d in reversed(self.declarations)
+        ]
         machine = _machine(analysis)
         self.machine_tables = frozenset(machine["tables"])
         self.symbols = Symbols({word.name: word for word in words}, machine["words"])
@@ -188,7 +194,7 @@ class Template:
             elif found and builder is not None:
                 found[-1].reading = node.reading.name
                 if node.reading.name == "table":
-                    found[-1].rows += [Row(line, row, node.text) for row in node.tree.nodes() if row.kind == "row"]
+                    found[-1].rows += _rows(line, node)
                 else:
                     builder.add(self._items(line, node, found[-1]))
         return found
@@ -210,7 +216,15 @@ class Template:
         spelled = self.symbols.spell(item.text[1:], True)
         self.uses.append(Use(item.line, item.span, item.text[1:], "output", spelled, section))
         end = item.end - len(spelled.rest)
-        kind = {"AND": "operator", "OR": "operator", "EXC": "operator", "ELSE": "else", "EXIT": "exit", "EXITC": "exit", "ONBLK": "onblk"}
+        kind = {
+            "AND": "operator",
+            "OR": "operator",
+            "EXC": "operator",
+            "ELSE": "else",
+            "EXIT": "exit",
+            "EXITC": "exit",
+            "ONBLK": "onblk",
+        }
         found = kind.get(spelled.name, "word") if spelled.kind == "command" else "word"
         yield Item(found, item.line, item.start, end, item.text[: end - item.start], spelled.name)
         if spelled.rest:
@@ -285,7 +299,10 @@ def _raw(node: LineNode) -> tuple[tuple[str, int, int, Node | None], ...]:
     found: list[tuple[str, int, int, Node | None]] = []
     for part in node.tree.children:
         if isinstance(part, Token):
-            found += [(_TOKENS[part.kind], part.start, part.end, None)] if part.kind in _TOKENS else []
+            if part.kind in _TOKENS:
+                found.append((_TOKENS[part.kind], part.start, part.end, None))
+            elif part.kind != "SEPARATOR":
+                break  # A command that a fault cut short: its words are not output.
         elif part.kind == "if":
             found += [("if", part.start, part.end - 1, part), ("open", part.end - 1, part.end, None)]
         elif part.kind in COMMANDS:
@@ -313,13 +330,23 @@ def _words(part: Node) -> Iterator[tuple[Token, str]]:
             first = None
 
 
+def _rows(line: int, node: LineNode) -> Iterator[Row]:
+    """The row on a line of a table; one with a fault is counted too, so that the rows behind it keep their numbers."""
+    if node.problems:
+        yield Row(line, node.tree, node.text)
+    yield from (Row(line, row, node.text) for row in node.tree.nodes() if row.kind == "row")
+
+
 def _declarations(line: int, node: LineNode) -> Iterator[Declaration]:
-    for declaration in node.find("declaration"):
-        command = node.text[declaration.start : declaration.children[0].end][1:].upper()
-        for part in declaration.children:
-            if part.kind == "WORD":
-                name = node.text[part.start + 1 : part.end]
-                yield Declaration(line, Span(part.start, part.end), name, command, node.reading.name == "declare")
+    command = ""
+    for token in tokens(node.tree) if "DECLARE" in node.kinds else ():
+        said = node.text[token.start + 1 : token.end]
+        if token.kind == "DECLARE":
+            command = said.upper()
+        elif command and token.kind == "WORD":
+            yield Declaration(line, Span(token.start, token.end), said, command, node.reading.name == "declare")
+        elif token.kind != "DECLARE_COMMA":
+            command = ""
 
 
 def _machine(analysis: Analysis) -> dict[str, dict[str, Any]]:

@@ -22,7 +22,7 @@ def no_numbers(symbols: Symbols, text: str, part: Node | Token) -> Iterator[Node
     """The operands of a calculation that are texts."""
     if isinstance(part, Token):
         word = symbols.find(text[part.start + 1 : part.end]) if part.kind == "WORD" else None
-        if part.kind == "CHARS" or word is not None and word.is_text:
+        if part.kind == "CHARS" or (word is not None and word.is_text):
             yield part
         return
     if part.kind == "job":

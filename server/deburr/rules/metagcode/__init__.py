@@ -1,0 +1,1 @@
+"""Rules of MetaGCODE: `spec/metagcode.md` §6."""

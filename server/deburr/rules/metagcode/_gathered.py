@@ -5,6 +5,7 @@ it: how many blocks it closes and opens beyond itself, and how deep it goes. Tha
 out once a file (`spec/metagcode.md` §4, §5.1).
 """
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,7 +13,7 @@ from typing import NamedTuple
 
 from deburr.analysis import Analysis
 from deburr.rule import Note
-from deburr.rules.metagcode._library import DEEPEST, Library
+from deburr.rules.metagcode._library import DEEPEST, Found, Library, is_plain
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.dialects.metagcode.outline import SNIPPET
 from deburr_grammar.structure import Fault, Placed, StructureFault, reduction
@@ -53,6 +54,15 @@ class Visit(NamedTuple):
 
     placed: Placed
     around: Sequence[Placed]
+
+
+class Named(NamedTuple):
+    """A name on a `#FILE` line that can be looked up: its columns, and what is found."""
+
+    line: int
+    span: Span
+    name: str
+    found: Found | None
 
 
 class Pair(NamedTuple):
@@ -98,6 +108,18 @@ class Gathered:
         return tuple((line, bracket) for line, bracket in self.own if bracket.kind == SNIPPET)
 
     @cached_property
+    def named(self) -> Sequence[Named]:
+        """The names on the `#FILE` lines, but for those that rules on lines refuse; none where nothing is known of files."""
+        plain = ((line, bracket.span, bracket.label) for line, bracket in self.files if is_plain(bracket.label))
+        if not self.files or self.library.silent:
+            return ()
+        return [
+            Named(line, Span(span.end - len(name), span.end), name, self.library.find(name))
+            for line, span, name in plain
+            if name is not None
+        ]
+
+    @cached_property
     def effects(self) -> Mapping[int, Effect | None]:
         """What each `#FILE` line does; None where its snippet, or one in it, is not to be had."""
         return {line: self._effect(bracket) for line, bracket in self.files}
@@ -113,7 +135,8 @@ class Gathered:
         found: list[tuple[int, Bracket]] = []
         for line, bracket in self.own:
             found.append((line, bracket))
-            if bracket.kind == SNIPPET and (effect := self.effects[line]) is not None:
+            effect = self.effects[line] if bracket.kind == SNIPPET else None
+            if effect is not None and effect.deepest <= NESTED:
                 found += [(line, foreign) for foreign in (*effect.closers, *effect.openers)]
         return tuple(found)
 
@@ -125,7 +148,7 @@ class Gathered:
         else:
             found = reduction(self.brackets).all_faults()
         unknown = [line for line, effect in self.effects.items() if effect is None or not effect.sure]
-        return [fault for fault in found if not any(_explains(line, fault) for line in unknown)]
+        return [fault for fault in found if not _explained(fault, unknown)]
 
     def visits(self) -> Iterator[Visit]:
         """Every bracket in order. The blocks around it are only to be looked at before the next one is asked for."""
@@ -177,8 +200,12 @@ class Gathered:
             if bracket.kind == SNIPPET:
                 sum_.include(self._effect(bracket))
             else:
-                sum_.take(Foreign(bracket.role, bracket.kind, bracket.word, bracket.label, bracket.span, path, line, scan.counts.get(line, ())))
+                sum_.take(Foreign(*_parts(bracket), path, line, scan.counts.get(line, ())))
         return sum_.effect(scan.lines, scan.names)
+
+
+def _parts(bracket: Bracket) -> tuple[Role, str, str, str | None, Span]:
+    return bracket.role, bracket.kind, bracket.word, bracket.label, bracket.span
 
 
 class _Sum:
@@ -194,14 +221,15 @@ class _Sum:
 
     def take(self, bracket: Foreign) -> None:
         """Add a bracket."""
-        if bracket.role is Role.CLOSE:
+        if bracket.role is not Role.CLOSE:
+            self._openers.append(bracket)
+            self._loops = {**dict.fromkeys(bracket.counts, bracket), **self._loops} if bracket.counts else self._loops
+            self._reach(len(self._openers))
+        elif self._openers:
+            self._openers.pop()
+        elif len(self._closers) <= NESTED:
             # More closers than blocks may be open need not be told apart.
-            _ = self._openers.pop() if self._openers else len(self._closers) <= NESTED and self._closers.append(bracket)
-            return
-        self._openers.append(bracket)
-        for name in bracket.counts:
-            self._loops.setdefault(name, bracket)
-        self._reach(len(self._openers))
+            self._closers.append(bracket)
 
     def include(self, inner: Effect | None) -> None:
         """Add a snippet in the snippet."""
@@ -230,10 +258,10 @@ class _Sum:
 
     def _reach(self, depth: int) -> None:
         self._deepest = max(self._deepest, depth - len(self._closers))
-        if len(self._openers) > NESTED:
+        if depth > NESTED:
             # So deep is an error wherever it stands; what it leaves open is of no interest then.
-            del self._openers[0]
             self._sure = False
+            del self._openers[:-NESTED]
 
 
 def ties(opener: Bracket, closer: Bracket) -> bool:
@@ -241,9 +269,10 @@ def ties(opener: Bracket, closer: Bracket) -> bool:
     return opener.kind == closer.kind and (opener.label == closer.label or None in (opener.label, closer.label))
 
 
-def _explains(line: int, fault: StructureFault) -> bool:
-    """Whether an unknown snippet on a line may be what a fault misses."""
+def _explained(fault: StructureFault, unknown: Sequence[int]) -> bool:
+    """Whether a snippet that is not known, on one of these lines, may be what a fault misses."""
     at = fault.at.line
     if fault.other is not None:
-        return min(at, fault.other.line) < line < max(at, fault.other.line)
-    return line < at if fault.fault is Fault.UNOPENED else line > at
+        first, last = sorted((at, fault.other.line))
+        return bisect_right(unknown, first) < bisect_left(unknown, last)
+    return bool(unknown) and (unknown[0] < at if fault.fault is Fault.UNOPENED else unknown[-1] > at)

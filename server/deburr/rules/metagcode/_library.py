@@ -188,22 +188,13 @@ class Library:
             root = setting.rstrip("/")
             self.inside = self.file.startswith(f"{root}/")
             return root
-        folder, name = posixpath.split(self.file)
+        folder = posixpath.dirname(self.file)
         parts, tail = folder.split("/"), [part for part in setting.split("/") if part not in ("", ".", "..")]
         for stop in range(len(parts), len(tail) - 1, -1) if tail else ():
             if parts[stop - len(tail) : stop] == tail:
                 self.inside = True
                 return "/".join(parts[:stop])
-        beside = _joined(folder, "..", setting)
-        if tail and name and not folder and self._is_program(_joined(beside, name)):
-            # A path that is written from within the folder of snippets does not show that folder's name.
-            self.inside, self.file = True, _joined(beside, name)
-            return beside
         return _joined(folder, setting)
-
-    def _is_program(self, path: str) -> bool:
-        text = self._host.read(path)
-        return text is not None and text == self._analysis.document.text
 
 
 def _split(name: str) -> list[str]:

@@ -15,20 +15,38 @@ Bad:
     N5 N6 G0
        ^
 
+Bad (profile=smithy):
+
+    N123456 G0 X1
+    ^^^^^^^
+    N5.5 G0 X2
+    ^^^^
+
+Good (profile=smithy):
+
+    N99999 G0 X1
+
 Good:
 
+    N123456 G0 X1
     /N5 G0 X1
     N56.78 G0 X2
 """
 
+import re
 from collections.abc import Iterator
 
+from deburr.rule import Line, Report, Severity, Syntax, rule
 from deburr_grammar.problem import Problem
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node
 
-from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 
-
-@rule(Severity.ERROR, Syntax())
-def check(line: Line, problem: Problem) -> Iterator[Report]:
-    """Report the N."""
-    yield Report(whole(problem), f"`{line.said(problem)}`: a line number is `N` and an unsigned number, once, at the start of the line")
+@rule(Severity.ERROR, Syntax(("line_number",)))
+def check(line: Line, part: Problem | Node) -> Iterator[Report]:
+    """Report the N, or in the smithy profile a number that its manual does not allow."""
+    said, place = line.said(part), Span(part.start, part.end)
+    if isinstance(part, Problem):
+        yield Report(place, f"`{said}`: a line number is `N` and an unsigned number, once, at the start of the line")
+    elif line.settings["profile"] == "smithy" and not re.fullmatch("[0-9]{1,5}", "".join(said[1:].split())):
+        yield Report(place, f"`{said}` is no line number from 0 to 99999")

@@ -1,0 +1,73 @@
+# pathlib costs more to load than a small program takes to check.
+# ruff: noqa: PTH
+"""The few things that are asked of the file system. A path is a text, absolute once it is known, with `/` between its parts."""
+
+import os
+import os.path
+
+
+def absolute(path: str, folder: str = "") -> str:
+    """The path from the root, seen from a folder (default: the working folder). Links are not followed."""
+    return os.path.abspath(os.path.join(folder, path)).replace(os.sep, "/")
+
+
+def parent(path: str) -> str:
+    """The folder that a file or folder is in; the root's is the root."""
+    return os.path.dirname(path)
+
+
+def above(folder: str) -> list[str]:
+    """A folder and all that it is in, innermost first."""
+    found = [folder]
+    while (outer := parent(found[-1])) != found[-1]:
+        found.append(outer)
+    return found
+
+
+def join(folder: str, name: str) -> str:
+    """The path of a name in a folder."""
+    return f"{folder.rstrip('/')}/{name}"
+
+
+def extension(path: str) -> str:
+    """The extension in small letters, with its dot."""
+    return os.path.splitext(path)[1].lower()
+
+
+def is_folder(path: str) -> bool:
+    """Whether there is a folder of that path."""
+    return os.path.isdir(path)
+
+
+def is_file(path: str) -> bool:
+    """Whether there is a file of that path."""
+    return os.path.isfile(path)
+
+
+def exists(path: str) -> bool:
+    """Whether there is anything of that path."""
+    return os.path.exists(path)
+
+
+def size(path: str) -> int:
+    """How many bytes a file has; none if it cannot be asked."""
+    try:
+        return os.path.getsize(path)
+    except OSError:
+        return 0
+
+
+def data(path: str) -> bytes:
+    """The bytes of a file; OSError if it cannot be read."""
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def names(folder: str) -> list[str]:
+    """The names in a folder, in order; OSError if it cannot be read."""
+    return sorted(os.listdir(folder))
+
+
+def working_folder() -> str:
+    """The working folder."""
+    return os.getcwd().replace(os.sep, "/")

@@ -1,0 +1,54 @@
+"""Bracket without any word of its own.
+
+A bracket is output if a word that stands directly in it has changed. Without one there is
+nothing to test: it is always output, and the bracket only looks like a condition. Words in
+brackets inside it, or in parentheses, do not count.
+
+Source: spec/cgt.md §5.2, §11
+
+Bad:
+
+    <G90>
+    ^^^^^
+
+Bad:
+
+    <<X#XPOS>>
+    ^^^^^^^^^^
+    <#EVAL(#V1=#XPOS)>
+    ^^^^^^^^^^^^^^^^^^
+    <>
+    ^^
+
+Bad:
+
+    <
+    ^
+    G90
+    >
+
+Good:
+
+    <G#V1>
+    G90
+    <T#NTOOL>#ELSE< T0>
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._brackets import extent, read_brackets, tests_of
+from deburr.rules.cgt._template import template_of
+
+
+@rule(Severity.WARNING, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the bracket."""
+    for body, _ in read_brackets(template_of(analysis)):
+        tests = tests_of(body)
+        if not tests.tested and not tests.excluded:
+            assert body.opener
+            yield Report(
+                extent(body), "no word stands directly in this bracket, so it is always output", body.opener.line
+            )

@@ -1,0 +1,79 @@
+"""Call behind text of the same line.
+
+A line is written when it ends, but the called section writes its own lines at once. So what
+stands in front of the call is written first, as a line of its own.
+
+Source: spec/cgt.md §5.5
+
+Bad:
+
+    G0 #CALL(a) M8
+       ^^^^^^^^
+    @
+    @a
+    M09
+    @
+
+Bad:
+
+    X#XPOS#IF(#V1>3)<#CALL(TOOLCHG)>
+                     ^^^^^^^^^^^^^^
+
+Bad:
+
+    G0 <
+    #CALL(TOOLCHG)
+    ^^^^^^^^^^^^^^
+    #XPOS
+    >
+
+Good:
+
+    #CALL(TOOLCHG) M8
+    #IF(#V1>3)<M9>#ELSE<#CALL(TOOLCHG)>
+    G0
+    #CALL(TOOLCHG)
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._template import Body, Item, template_of
+
+
+@rule(Severity.WARNING, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the call."""
+    template = template_of(analysis)
+    for section in template.sections:
+        found: list[Item] = []
+        _walk(section.body, False, found)
+        for call in found:
+            if call.line not in template.faulty_lines:
+                message = (
+                    f"what stands before `{call.text}` is written as a line of its own; put the call on its own line"
+                )
+                yield Report(call.span, message, call.line)
+
+
+def _walk(body: Body, collected: bool, found: list[Item]) -> bool:
+    """Whether text may wait to be written behind a body, if that was so before it."""
+    line: int | None = None
+    entry = collected
+    for part in body.parts:
+        opener = part if isinstance(part, Item) else part.opener
+        assert opener is not None
+        collected = collected and line in (None, opener.line)
+        line = opener.line
+        if isinstance(part, Body):
+            before = entry if part.kind == "else" else collected
+            entry = collected
+            collected = _walk(part, before, found) or collected
+            line = part.closer.line if part.closer else line
+        elif part.kind == "call" and part.name == "CALL":
+            found += [part] if collected else []
+            collected = False
+        else:
+            collected = collected or part.printed
+    return collected

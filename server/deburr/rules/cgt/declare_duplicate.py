@@ -1,0 +1,46 @@
+"""Word that is declared twice.
+
+It can have one type only, and which of two the generator takes is not documented.
+
+Source: spec/cgt.md §7
+
+Bad:
+
+    @DECLARE
+    #INT #a
+    #DEC #a
+         ^^
+
+Bad:
+
+    @DECLARE
+    #INT #b, #b
+             ^^
+
+Good:
+
+    @DECLARE
+    #INT #a
+    #DEC #A1
+    @
+    @DWELL
+    #a #A1
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Note, Report, Severity, Whole, rule
+from deburr.rules.cgt._template import Declaration, template_of
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report every declaration but the first."""
+    first: dict[str, Declaration] = {}
+    for each in template_of(analysis).declarations:
+        if each.inside:
+            known = first.setdefault(each.name, each)
+            if known is not each:
+                note = Note(known.line, known.span, f"declared here as `#{known.command}`")
+                yield Report(each.span, f"`#{each.name}` is declared already; a word has one type", each.line, (note,))

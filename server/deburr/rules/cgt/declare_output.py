@@ -1,0 +1,37 @@
+"""Text in `@DECLARE`.
+
+The section runs before the program starts, to declare words and formats. Nothing is output there,
+so the text is lost.
+
+Source: spec/cgt.md §7
+
+Bad:
+
+    @DECLARE
+    G90 G21
+    ^^^^^^^
+    #V1
+    ^^^
+
+Good:
+
+    @DECLARE
+    #FMT(#F_Decimal,D3.4)
+    #EVAL(#V1=1)  // first pass
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._template import template_of
+
+
+@rule(Severity.WARNING, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the first text of each line."""
+    seen = set[int]()
+    for item, section, _ in template_of(analysis).items():
+        if section.reading == "declare" and item.printed and item.line not in seen:
+            seen.add(item.line)
+            yield Report(item.span, f"`{item.text.strip()}` stands in `@DECLARE`, where nothing is output", item.line)

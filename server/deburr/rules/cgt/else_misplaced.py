@@ -1,0 +1,72 @@
+"""`#ELSE` that follows no test.
+
+`#ELSE<...>` belongs to the bracket or the `#IF` directly before it: nothing may stand between
+`>` and `#ELSE`, nor between `#ELSE` and its `<`, not even a blank or a line's end. The bodies of
+`#REPEAT` and of another `#ELSE` are no tests.
+
+Source: spec/cgt.md §5.2, §11, *Lines*
+
+Bad:
+
+    #ELSE<T0>
+    ^^^^^
+
+Bad:
+
+    <T#NTOOL> #ELSE<T0>
+              ^^^^^
+    <T#NTOOL>#ELSE <T0>
+             ^^^^^
+    <T#NTOOL>#ELSE T0
+             ^^^^^
+    #REPEAT(2)<M08>#ELSE<M09>
+                   ^^^^^
+    <T#NTOOL>#ELSE<T0>#ELSE<T1>
+                      ^^^^^
+
+Bad:
+
+    #IF(#V1>3)<M08>
+    #ELSE<M09>
+    ^^^^^
+
+Good:
+
+    <T#NTOOL>#ELSE< T0>
+    #IF(#V1>3)<
+    M08
+    >#ELSE<
+    M09
+    >
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._template import Body, Item, template_of
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the command."""
+    template = template_of(analysis)
+    for section in template.sections:
+        for body in section.body.bodies():
+            for at, part in enumerate(body.parts):
+                if isinstance(part, Item) and part.kind == "else" and part.line not in template.faulty_lines:
+                    yield from _of(part, body.parts[at - 1] if at else None, body.parts[at + 1 : at + 2])
+
+
+def _of(item: Item, before: Item | Body | None, behind: list[Item | Body]) -> Iterator[Report]:
+    closer = before.closer if isinstance(before, Body) and before.kind in ("bracket", "if", "unknown") else None
+    if closer is None or (closer.line, closer.end) != (item.line, item.start):
+        yield Report(
+            item.span,
+            f"`{item.text}` does not directly follow a bracket or an `#IF`, so it belongs to no test",
+            item.line,
+        )
+        return
+    opener = behind[0].opener if behind and isinstance(behind[0], Body) else None
+    if opener is None or (opener.line, opener.start) != (item.line, item.end):
+        yield Report(item.span, f"`{item.text}` has no body; `<` must follow it directly", item.line)

@@ -1,0 +1,118 @@
+"""Text where a number belongs, or the other way round.
+
+A number word takes a number. A text word takes a word, a text function or unquoted text; words
+inside unquoted text are not replaced by their values.
+
+Source: spec/cgt.md §5.8
+
+Bad:
+
+    #EVAL(#V1=M03)
+              ^^^
+    #EVAL(#V1=)
+    ^^^^^^^^^^^
+    #EVAL(#V1=#S1)
+              ^^^
+    #EVAL(#V1=2*#DATE)
+                ^^^^^
+    #EVAL(#V1=STRSUB(#S1,1,2))
+              ^^^^^^^^^^^^^^^
+    #EVAL(#V1=JOS_STR(NAME))
+              ^^^^^^^^^^^^^
+    #EVAL(#V1=STRLEN(#V2))
+                     ^^^
+    #EVAL(#V1=SQR(#S2))
+                  ^^^
+    #EVAL(#S1=SQR(4))
+              ^^^^^^
+    #EVAL(#S1=#S2+#S3)
+              ^^^^^^^
+    #EVAL(#S1=G0 X#V1)
+              ^^^^^^^
+    #EVMD(#x=M03)
+             ^^^
+    #EVMI(#x=#S1)
+             ^^^
+
+Good:
+
+    #EVAL(#V1=STRLEN(#S1)+1)
+    #EVAL(#V1=JOS(DIA))
+    #EVAL(#S1=STRSUB(#S2, 1, #V2))
+    #EVAL(#S1=#V1)
+    #EVAL(#S1=12.5-3)
+    #EVAL(#S1=jos(NAME))
+    #EVMS(#x=M03)
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._symbols import Symbols
+from deburr.rules.cgt._template import Item, template_of
+from deburr.rules.cgt._types import is_plain, misfits, no_numbers, value_of
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node, Token
+
+_BEHIND = {"eval": "EQUAL", "macro": "EQUAL", "returned": "OPEN"}
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the value."""
+    template = template_of(analysis)
+    texts = {line: node.text for line, node in template.lines}
+    for item, _, _ in template.items():
+        if item.kind in _BEHIND and (is_text := _wants_text(item, template.symbols, texts[item.line])) is not None:
+            yield from _of(item, is_text, template.symbols, texts[item.line])
+
+
+def _wants_text(item: Item, symbols: Symbols, text: str) -> bool | None:
+    """Whether a text is assigned or returned; None where nobody knows."""
+    if item.kind != "eval":
+        return item.name in ("EVMS", "RETSTR")
+    assert item.node is not None
+    target = item.node.children[2]
+    word = symbols.find(text[target.start + 1 : target.end]) if target.kind == "WORD" else None
+    return word.is_text if word is not None else None
+
+
+def _of(item: Item, is_text: bool, symbols: Symbols, text: str) -> Iterator[Report]:
+    assert item.node is not None
+    value = value_of(item.node, _BEHIND[item.kind])
+    if value is None:
+        if not is_text:
+            yield Report(item.span, f"`{item.text}` gives a number word no number; write 0 to clear it", item.line)
+        return
+    for part, why in _text_faults(value, symbols, text) if is_text else _number_faults(value, symbols, text):
+        yield Report(Span(part.start, part.end), f"`{text[part.start : part.end]}` {why}", item.line)
+
+
+def _number_faults(value: Node | Token, symbols: Symbols, text: str) -> Iterator[tuple[Node | Token, str]]:
+    for part in no_numbers(symbols, text, value):
+        word = symbols.find(text[part.start + 1 : part.end]) if part.kind == "WORD" else None
+        yield (
+            part,
+            "is a number, and the function takes a text"
+            if word and not word.is_text
+            else "is a text where a number is needed",
+        )
+
+
+def _text_faults(value: Node | Token, symbols: Symbols, text: str) -> Iterator[tuple[Node | Token, str]]:
+    if value.kind == "CHARS":
+        if "#" in text[value.start : value.end] and symbols_in(text[value.start : value.end]):
+            yield value, "is taken as it stands; words in a text are not replaced by their values"
+    elif value.kind == "function" and isinstance(value, Node):
+        if text[value.start : value.children[0].end].upper() != "STRSUB":
+            yield value, "is a number where a text is needed"
+        else:
+            yield from ((part, "is not of the type that the function takes") for part in misfits(symbols, text, value))
+    elif value.kind not in ("WORD", "job") and not is_plain(value):
+        yield value, "is no text; a text is one word, one text function or unquoted text"
+
+
+def symbols_in(said: str) -> bool:
+    """Whether a text holds something that is written like a word."""
+    return any(piece[:1].isascii() and piece[:1].isalpha() for piece in said.split("#")[1:])

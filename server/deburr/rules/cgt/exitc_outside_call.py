@@ -1,0 +1,43 @@
+"""`#EXITC` in a section that nothing calls.
+
+It leaves a called section and goes on behind the `#CALL`. Where there is no call it acts as
+`#EXIT` and ends the section.
+
+Source: spec/cgt.md §5.5
+
+Bad:
+
+    #EXITC
+    ^^^^^^
+
+Good:
+
+    #CALL(sample)
+    @
+    @sample
+    #IF(#V2<#V3)<#EXITC>
+    M08
+    @
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._template import target, template_of
+
+
+@rule(Severity.WARNING, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the command."""
+    template = template_of(analysis)
+    called = {target(call)[0] for call, _ in template.calls()}
+    for item, section, _ in template.items():
+        if (
+            item.kind == "exit"
+            and item.name == "EXITC"
+            and section.name not in called
+            and not section.name.startswith("$")
+        ):
+            message = f"nothing calls `@{section.name}`, so `{item.text}` ends it as `#EXIT` does; write `#EXIT`"
+            yield Report(item.span, message, item.line)

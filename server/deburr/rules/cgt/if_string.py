@@ -1,0 +1,46 @@
+"""Numeric test of a text.
+
+`#IF` compares numbers. A text that holds a number is taken for it; any other text is not, and
+the run ends there. `#IFSTR` compares texts.
+
+Source: spec/cgt.md §5.4
+
+Bad:
+
+    #IF(#S1>3)<M08>
+        ^^^
+
+Bad:
+
+    @DECLARE
+    #STR #name
+    @
+    @DWELL
+    #IF(#V1=1,#OR#name=#DATE)<M08>
+                 ^^^^^
+                       ^^^^^
+
+Good:
+
+    #IFSTR(#S1=3)<M08>
+    #IF(STRLEN(#S1)>3)<M08>
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._types import no_numbers
+from deburr_grammar.text import Span
+
+
+@rule(Severity.WARNING, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the text."""
+    template = template_of(analysis)
+    for line, node in template.lines:
+        for tests in node.find("tests"):
+            for part in no_numbers(template.symbols, node.text, tests):
+                said = node.text[part.start : part.end]
+                yield Report(Span(part.start, part.end), f"`{said}` is a text; compare it with `#IFSTR`", line)

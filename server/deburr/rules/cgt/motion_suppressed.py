@@ -1,0 +1,54 @@
+"""Position that another word's bracket holds back.
+
+A bracket inside another one is looked at only if the outer one is output. So a changed position
+is not output while the outer word stays the same, and the machine does not move there.
+
+Source: spec/cgt.md §5.2
+
+Bad:
+
+    < #CYCLE <X#XPOS>>
+               ^^^^^
+    < #CYCLE <X#XPOS>>< Y#YPOS>
+               ^^^^^
+    < #CYCLE <X#XPOS <Y#YPOS>>>
+               ^^^^^
+                       ^^^^^
+    <#MOV#IF(#V1>3)<Z#ZPOS>>
+                     ^^^^^
+
+Good:
+
+    <#CYCLE><X#XPOS><Y#YPOS>
+    <#CYCLE X#XPOS>
+    <X#XPOS<Y#YPOS>>
+    <#CYCLE<S#SPEED>>
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Note, Report, Severity, Whole, rule
+from deburr.rules.cgt._brackets import tests_of
+from deburr.rules.cgt._symbols import POSITIONS
+from deburr.rules.cgt._template import Body, Item, template_of
+
+
+@rule(Severity.WARNING, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the position."""
+    for item, _, around in template_of(analysis).items():
+        if item.kind == "word" and item.name in POSITIONS:
+            holder = next((found for body in around[:-1] if (found := _holds(body, item.name))), None)
+            if holder is not None:
+                message = f"a changed `{item.text}` is not output while `{holder.text}` stays the same; give it a bracket of its own"
+                note = Note(holder.line, holder.span, f"only a change of `{holder.text}` opens the outer bracket")
+                yield Report(item.span, message, item.line, (note,))
+
+
+def _holds(body: Body, name: str) -> Item | None:
+    """The word on which a bracket depends that is no position; None if the position is tested there too."""
+    tested = tests_of(body).tested if body.kind == "bracket" else ()
+    if any(item.name == name for item in tested):
+        return None
+    return next((item for item in tested if item.name not in POSITIONS), None)

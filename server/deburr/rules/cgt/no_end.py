@@ -1,0 +1,40 @@
+"""Template without `@END`.
+
+The section runs behind the last element. Without it the program has no end: the spindle turns on and
+nothing tells the control to stop.
+
+Source: spec/cgt.md §1, §7
+
+Bad (whole):
+
+    @START
+    ^^^^^^
+    G90
+    @
+
+Good (whole):
+
+    @START
+    G90
+    @
+    @END
+    M30
+    @
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._sections import first_place
+from deburr.rules.cgt._template import template_of
+
+
+@rule(Severity.WARNING, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the template at its first header."""
+    template = template_of(analysis)
+    place = first_place(analysis, template)
+    if place is not None and not any(section.name == "END" for section in template.sections):
+        line, span = place
+        yield Report(span, "the template has no section `@END`, so the program has no closing commands", line)

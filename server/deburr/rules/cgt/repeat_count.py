@@ -1,0 +1,52 @@
+"""`#REPEAT` with a count that is no whole number from 0 on.
+
+The count is an integer or a word that holds one. Nothing can be repeated a negative or a broken
+number of times.
+
+Source: spec/cgt.md §5.6
+
+Bad:
+
+    #REPEAT(-1)<..>
+            ^^
+    #REPEAT(1.5)<..>
+            ^^^
+    #REPEAT(#S1)<M08>
+            ^^^
+    #REPEAT(#V1+1)<M08>
+            ^^^^^
+
+Good:
+
+    #REPEAT(0)<M08>
+    #REPEAT(#V1)<M08>
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._symbols import Symbols
+from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._types import no_numbers
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node, Token
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the count."""
+    template = template_of(analysis)
+    for line, node in template.lines:
+        for repeat in node.find("repeat"):
+            count = repeat.children[2]
+            if not _counts(template.symbols, node.text, count):
+                said = node.text[count.start : count.end]
+                message = f"`{said}` is no count; a whole number from 0 on, or a word that holds one, is needed"
+                yield Report(Span(count.start, count.end), message, line)
+
+
+def _counts(symbols: Symbols, text: str, count: Node | Token) -> bool:
+    if count.kind == "WORD":
+        return not any(True for _ in no_numbers(symbols, text, count))
+    return count.kind == "NUMBER" and not text[count.start : count.end].partition(".")[2].strip("0")

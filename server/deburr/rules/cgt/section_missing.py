@@ -1,0 +1,55 @@
+"""Call of a section that does not exist.
+
+`#CALL` and `#GOTO` run a section of the same template. Without it nothing would be output
+where the template counts on something.
+
+Source: spec/cgt.md §5.5, §7
+
+Bad:
+
+    #CALL(nope)
+          ^^^^
+
+Bad:
+
+    #IF(#V1>3)<#GOTO(DWELL)>
+                     ^^^^^
+
+Bad:
+
+    @DECLARE
+    #CALCDEC #side
+             ^^^^^
+    @
+    @DWELL
+    #side
+
+Good:
+
+    #CALL(TOOLCHG)
+    #CALL(spindle)
+    @
+    @spindle
+    S#SPEED M03
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._sections import similar_section
+from deburr.rules.cgt._template import target, template_of
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the name that leads nowhere."""
+    template = template_of(analysis)
+    names = {section.name for section in template.sections}
+    for call, _ in template.calls():
+        name, span = target(call)
+        if name not in names:
+            yield Report(span, f"there is no section `@{name}` to run{similar_section(name, names)}", call.line)
+    for each in template.declarations:
+        if each.command.startswith("CALC") and each.inside and f"${each.name}" not in names:
+            yield Report(each.span, f"there is no section `@${each.name}` to compute `#{each.name}`", each.line)

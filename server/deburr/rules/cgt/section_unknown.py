@@ -1,0 +1,52 @@
+"""Section that nothing in the template runs.
+
+Its name is none that the generator runs by itself, no `#CALL` or `#GOTO` names it, and it is
+no table. A user command in the model may still call it; more often the name is misspelt and
+the section is silently left out.
+
+Source: spec/cgt.md §1, §7
+
+Bad:
+
+    @
+    @TOOLCHANGE
+    ^^^^^^^^^^^
+    M06
+    @
+
+Bad:
+
+    @
+    @$side
+    ^^^^^^
+    #RETNUM(1)
+    @
+
+Good:
+
+    #CALL(change)
+    @
+    @change
+    M06
+    @
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._sections import computed, similar_section
+from deburr.rules.cgt._template import target, template_of
+from deburr_grammar.dialects.cgt.outline import SECTIONS
+
+
+@rule(Severity.INFO, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the header."""
+    template = template_of(analysis)
+    used = SECTIONS | {target(call)[0] for call, _ in template.calls()} | computed(template)
+    for section in template.sections:
+        if not (section.faulty or section.is_table or section.name in used):
+            hint = similar_section(section.name, SECTIONS)
+            message = f"`@{section.name}` is no section that the generator runs, and nothing here calls it{hint}"
+            yield Report(section.span, message, section.line)

@@ -1,0 +1,59 @@
+"""Row that the table does not have.
+
+Rows count from 0. Nothing could be output for it, and a missing G or M code leaves the machine in
+the state it was in.
+
+Source: spec/cgt.md §5.7
+
+Bad:
+
+    #TABLE(t, 4)#TABLE(t,-1)
+              ^
+                         ^^
+    #TABLE(t,1.5)
+             ^^^
+    @
+    @t
+    0,Off
+    1,Low
+
+    2,Med // the blank line is no row
+    3,High
+
+Good:
+
+    #TABLE(t, 0)#TABLE(t, 3)#TABLE(t,#V1)
+    @
+    @t
+    0,Off
+    1,Low
+    2,Med
+    3,High
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.arithmetic.cgt import constant
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._template import target, template_of
+from deburr_grammar.text import Span
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the row number."""
+    template = template_of(analysis)
+    texts = {line: node.text for line, node in template.lines}
+    for item, _, _ in template.items():
+        section = template.by_name.get(target(item)[0]) if item.kind == "lookup" else None
+        if section is None or not section.is_table:
+            continue
+        assert item.node is not None
+        index = item.node.children[-2]
+        value = constant(texts[item.line], index)
+        if isinstance(value, float) and value not in range(len(section.rows)):
+            said = texts[item.line][index.start : index.end]
+            rows = f"rows 0 to {len(section.rows) - 1}" if section.rows else "no rows"
+            message = f"`@{section.name}` has no row `{said}`; it has {rows}"
+            yield Report(Span(index.start, index.end), message, item.line)

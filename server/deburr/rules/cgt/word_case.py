@@ -1,0 +1,49 @@
+"""System word in lower case.
+
+The words and commands of the generator are written in upper case, and names of your own are
+told from them by it.
+
+Source: spec/cgt.md §2, §11, *Words*
+
+Bad:
+
+    #xpos
+    ^^^^^
+    <X#XPOS#and Y#YPOS>
+           ^^^^
+    #if(#v1>3)<M08>#Else<M09>
+    ^^^
+        ^^^
+                   ^^^^^
+
+Good:
+
+    #XPOS
+    #EVAL(#V1=sqr(2))
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._template import template_of
+from deburr_grammar.text import Span
+from deburr_grammar.tree import tokens
+
+_NOT_COMMANDS = ("WORD", "TEXT", "COMMENT", "CHARS", "STRING", "TAG", "LABEL", "ROW_TEXT")
+
+
+@rule(Severity.INFO, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the word or command."""
+    template = template_of(analysis)
+    for use in template.uses:
+        said, name = use.said[: len(use.said) - len(use.spelled.rest)], use.spelled.name
+        if use.role not in ("declared", "macro") and use.spelled.kind == "word" and said != name:
+            yield Report(use.span, f"`#{said}` is the system word `#{name}`; write it in capitals", use.line)
+    for line, node in template.lines:
+        for token in tokens(node.tree) if node.reading.start == "template" else ():
+            said = node.text[token.start : token.end]
+            if token.kind not in _NOT_COMMANDS and said.startswith("#") and said != said.upper():
+                message = f"`{said}` is the command `{said.upper()}`; write it in capitals"
+                yield Report(Span(token.start, token.end), message, line)

@@ -1,0 +1,54 @@
+"""User word that is not declared.
+
+A name with a lower-case letter is a word of the template's own, and those are declared in
+`@DECLARE`. For one that is not, SmartCAM asks its macro system, which knows nothing of it.
+
+Source: spec/cgt.md §5.1, §11, *Words*
+
+Bad:
+
+    #EVAL(#myX=1)
+          ^^^^
+
+Bad:
+
+    @DECLARE
+    #DEC #cut_power
+    @
+    @DWELL
+    S#cut_powr F#Feed_rate
+     ^^^^^^^^^  ^^^^^^^^^^
+    #EVAL(#cut_power=#F_Decimal)
+                     ^^^^^^^^^^
+
+Good:
+
+    @DECLARE
+    #DEC #cut_power
+    @
+    @DWELL
+    #EVAL(#cut_power=1000)
+    S#cut_power
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._template import Use, template_of
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the word."""
+    template = template_of(analysis)
+    for use in template.uses:
+        if _asked(use) and use.spelled.kind == "undeclared":
+            hint = template.symbols.similar(use.said)
+            yield Report(use.span, f"`#{use.said}` is not declared; declare it in `@DECLARE`{hint}", use.line)
+        elif use.spelled.kind == "class" and use.role in ("output", "argument"):
+            yield Report(use.span, f"`#{use.said}` is a class of formats and no word; only `#FMT` takes it", use.line)
+
+
+def _asked(use: Use) -> bool:
+    return use.role not in ("macro", "declared")

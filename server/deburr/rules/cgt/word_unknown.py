@@ -1,0 +1,52 @@
+"""Word that is not known.
+
+SmartCAM has more words than its public pages list, so a name in capitals may be right; what it
+prints is not known, and the template cannot be expanded. A machine file's `[words]` makes it known.
+
+Source: spec/cgt.md §11, *Words*
+
+Bad:
+
+    #NOPE
+    ^^^^^
+    <X#XPSO>
+      ^^^^^
+    #EVAL(#V1=#XPOSY)
+              ^^^^^^
+    #RESET(#MOV,#AND)
+                ^^^^
+
+Good:
+
+    X#XPOS
+    #100=5
+
+Good (machine=mill.toml):
+
+    <W#WPOS>
+    -- mill.toml --
+    [words]
+    WPOS = "decimal"
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._template import template_of
+
+
+@rule(Severity.WARNING, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the word."""
+    template = template_of(analysis)
+    for use in template.uses:
+        if use.role in ("macro", "declared"):
+            continue
+        if use.spelled.kind == "unknown":
+            hint = template.symbols.similar(use.said)
+            yield Report(
+                use.span, f"`#{use.said}` is no known word, so the template cannot be expanded{hint}", use.line
+            )
+        elif use.spelled.kind == "command" and use.role in ("argument", "format"):
+            yield Report(use.span, f"`#{use.said}` is a command and has no value", use.line)

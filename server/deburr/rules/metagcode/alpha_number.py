@@ -1,0 +1,41 @@
+"""Numbers that are compared as text.
+
+As text `9` is greater than `10`, because the first characters decide, and `1.0` does not equal `1`.
+Numbers are compared as such with the type `n`.
+
+Source: spec/metagcode.md §6
+
+Bad:
+
+    #IF1 9 greaterthan 10 a
+         ^^^^^^^^^^^^^^^^
+    #ENDIF1
+
+Good:
+
+    #IF1 9 greaterthan 10 n
+    #ENDIF1
+    #IF1 |Tool| equalto 10 a
+    #ENDIF1
+"""
+
+from collections.abc import Iterator
+
+from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr_grammar.dialects.metagcode.forms import condition, is_numeric, number
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node
+
+
+@rule(Severity.INFO, Nodes(("condition",)))
+def check(line: Line, node: Node) -> Iterator[Report]:
+    """Report the two values."""
+    left, _, right, type_ = condition(node)
+    if type_.kind != "TYPE" or is_numeric(line.said(type_)):
+        return
+    one, two = line.said(left), line.said(right)
+    if number(one) is not None and number(two) is not None:
+        yield Report(
+            Span(left.start, right.end),
+            f"`{one}` and `{two}` are compared as text, character by character; write `n` to compare numbers",
+        )

@@ -1,0 +1,58 @@
+"""Condition with missing or extra items.
+
+`#IF` takes four items, set off by blanks: a value, an operator, a value, a type. A value with a
+blank in it can only come out of a variable, since there are no quotes. `#ENDIF` takes nothing.
+Which item was meant for what cannot be told, so nothing is built.
+
+Source: spec/metagcode.md §3, §4, §6
+
+Bad:
+
+    #IF1 |a| equalto 1
+    ^^^^^^^^^^^^^^^^^^
+    #ENDIF1 |a|
+            ^^^
+
+Bad:
+
+    #IF1 |Mat| equalto Mild Steel a
+                                  ^
+    #ENDIF1
+
+Bad:
+
+    #IF1|a| equalto 1 n
+        ^^^
+      #IF2
+      ^^^^
+      #ENDIF2x
+             ^
+    #ENDIF1
+
+Bad:
+
+    #IF1 |a|equalto 1 n
+            ^^^^^^^
+    #ENDIF1
+
+Good:
+
+    #IF1 |a|   equalto	1 n
+    #ENDIF1
+"""
+
+from collections.abc import Iterator
+
+from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.metagcode._items import misfit, surplus
+from deburr_grammar.tree import Node
+
+_ITEMS = ("a value", "an operator", "a second value", "a type")
+
+
+@rule(Severity.ERROR, Nodes(("if", "endif")))
+def check(line: Line, node: Node) -> Iterator[Report]:
+    """Report what does not fit."""
+    found = surplus(line, node) if node.kind == "endif" else misfit(line, node, "condition", _ITEMS)
+    if found is not None:
+        yield Report(*found)

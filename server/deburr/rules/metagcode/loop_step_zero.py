@@ -1,0 +1,41 @@
+"""Step of zero.
+
+The number of passes is the total divided by maxStep, so a maxStep of 0 gives none. It is an error
+even if the total is 0 as well.
+
+Source: spec/metagcode.md §5.4, §6, §10
+
+Bad:
+
+    #LOOP1 |z| 0 c
+               ^
+    #ENDLOOP1
+    #LOOP1 |z| -0.00 c |x| 1 c
+               ^^^^^
+    G0 X|x| Z|z|
+    #ENDLOOP1
+
+Good:
+
+    #LOOP1 |z| 0.01 c
+    G0 Z|z|
+    #ENDLOOP1
+"""
+
+from collections.abc import Iterator
+
+from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr_grammar.dialects.metagcode.forms import groups, number
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node
+
+
+@rule(Severity.ERROR, Nodes(("header",)))
+def check(line: Line, node: Node) -> Iterator[Report]:
+    """Report the step."""
+    for group in groups(node):
+        if number(line.said(group.step)) == 0:
+            yield Report(
+                Span(group.step.start, group.step.end),
+                f"a step of `{line.said(group.step)}` never reaches the total; the number of passes would be a division by zero",
+            )

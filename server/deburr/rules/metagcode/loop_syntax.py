@@ -1,0 +1,49 @@
+"""Loop header that is not made of groups of three.
+
+`#LOOP` takes groups of three items, set off by blanks: a variable, its maxStep, its step type.
+`#ENDLOOP` takes nothing. With an item too few or too many the groups cannot be told apart.
+
+Source: spec/metagcode.md §3, §6, §10
+
+Bad:
+
+    #LOOP1 |z| 2
+    ^^^^^^^^^^^^
+    G0 Z|z|
+    #ENDLOOP1 x
+              ^
+
+Bad:
+
+    #LOOP1
+    ^^^^^^
+    #ENDLOOP1
+    #LOOP2 |z| 2 c |x|
+    ^^^^^^^^^^^^^^^^^^
+    #ENDLOOP2
+    #LOOP3 |z|2 c
+              ^
+    #ENDLOOP3
+
+Good:
+
+    #LOOP1 |z| 2 c |x| |Max| r
+    G0 X|x| Z|z|
+    #ENDLOOP1
+"""
+
+from collections.abc import Iterator
+
+from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.metagcode._items import misfit, surplus
+from deburr_grammar.tree import Node
+
+_ITEMS = ("a variable", "its maxStep", "its step type")
+
+
+@rule(Severity.ERROR, Nodes(("loop", "endloop")))
+def check(line: Line, node: Node) -> Iterator[Report]:
+    """Report what does not fit."""
+    found = surplus(line, node) if node.kind == "endloop" else misfit(line, node, "header", _ITEMS)
+    if found is not None:
+        yield Report(*found)

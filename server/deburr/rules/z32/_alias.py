@@ -1,0 +1,12 @@
+"""The letters of a G25 word (spec/z32.md §6.5)."""
+
+from deburr.rule import Line
+from deburr_grammar.tree import Node
+
+ORDERS = ("XYZ", "YZX", "ZXY")
+"""The three that the reference shows."""
+
+
+def letters(line: Line, alias: Node) -> str:
+    """The letters behind `G25`, in upper case."""
+    return line.said(alias).upper().rpartition("5")[2]

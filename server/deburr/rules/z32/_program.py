@@ -1,0 +1,184 @@
+"""What rules on the whole program share: lines by what stands in them, block numbers, jumps, sections. Kept with each chunk."""
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator, Mapping
+from posixpath import basename, dirname, join, normpath
+from typing import NamedTuple
+
+from deburr.analysis import Analysis
+from deburr.arithmetic.z32 import integer, number
+from deburr.rule import Line
+from deburr.rules.z32._values import known
+from deburr_grammar.document import Piece
+from deburr_grammar.line import LineNode
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node
+
+BLOCK = frozenset(("word", "g_word", "axis_alias", "stray", "advanced", "mixed"))
+"""Kinds of parts that make a line do something."""
+_KEPT = frozenset(
+    ("jump", "call", "file_call", "section", "config", "other", "alias_name", "axis_alias", "nword", "M_END", "G26")
+)
+_NUMBERED = re.compile(r"[ \t]*/?[ \t]*([Nn][ \t]*([0-9]+(?:[.,][0-9]*)?|[.,][0-9]+))(?![ \t]*[0-9.,])")
+
+
+class Label(NamedTuple):
+    """A block number: its line, its columns, and whether its block does anything."""
+
+    line: int
+    span: Span
+    active: bool
+
+
+class Jump(NamedTuple):
+    """A GON: where it stands, where it goes, and where it returns from. None: only the run knows, or there is none."""
+
+    line: int
+    node: Node
+    target: float | None
+    target_span: Span
+    end: float | None
+    end_span: Span | None
+
+
+def lines(analysis: Analysis, *kinds: str) -> Iterator[tuple[int, LineNode]]:
+    """The lines that hold one of some kinds of parts, in order. Only kinds that are kept can be asked for."""
+    for piece in analysis.document.pieces():
+        held = _held(analysis, piece)
+        for index in sorted(set().union(*(held.get(kind, ()) for kind in kinds))):
+            yield piece.line + index, piece.node(index)
+
+
+def first_block(analysis: Analysis) -> int | None:
+    """The first line that does anything."""
+    for piece in analysis.document.pieces():
+        for index in _held(analysis, piece).get("block", ()):
+            return piece.line + index
+    return None
+
+
+def _held(analysis: Analysis, piece: Piece) -> Mapping[str, list[int]]:
+    """The indices of a chunk's lines by the kinds of parts in them; of blocks only the first."""
+    key = ("z32 lines", analysis.document.key(piece))
+    found: dict[str, list[int]] | None = piece.chunk.memo.get(key)
+    if found is None:
+        found = piece.chunk.memo[key] = {}
+        for reading, first, shapes in piece.read():
+            kinds = {shape: shape.facts(reading).kinds for shape in set(shapes)}
+            wanted = {shape: found_kinds & _KEPT for shape, found_kinds in kinds.items()}
+            for index, shape in enumerate(shapes, first):
+                for kind in wanted[shape]:
+                    found.setdefault(kind, []).append(index)
+                if "block" not in found and not BLOCK.isdisjoint(kinds[shape]):
+                    found["block"] = [index]
+    return found
+
+
+def labels(analysis: Analysis, value: float) -> list[Label]:
+    """The blocks of that number."""
+    return [
+        Label(piece.line + index, span, active)
+        for piece in analysis.document.pieces()
+        for index, span, active in _labels(analysis, piece).get(value, ())
+    ]
+
+
+def all_labels(analysis: Analysis) -> Iterator[tuple[float, Label]]:
+    """All block numbers."""
+    for piece in analysis.document.pieces():
+        for value, places in _labels(analysis, piece).items():
+            yield from ((value, Label(piece.line + index, span, active)) for index, span, active in places)
+
+
+def _labels(analysis: Analysis, piece: Piece) -> Mapping[float, list[tuple[int, Span, bool]]]:
+    key = ("z32 labels", analysis.document.key(piece))
+    found: dict[float, list[tuple[int, Span, bool]]] | None = piece.chunk.memo.get(key)
+    if found is None:
+        found = piece.chunk.memo[key] = {}
+        for index in _held(analysis, piece).get("nword", ()):
+            if match := _NUMBERED.match(piece.chunk.line(index)):
+                active = not BLOCK.isdisjoint(piece.node(index).kinds)
+                found.setdefault(number(match[2]), []).append((index, Span(*match.span(1)), active))
+    return found
+
+
+def jumps(analysis: Analysis) -> tuple[Jump, ...]:
+    """All GON instructions."""
+    if "z32 jumps" not in analysis.memo:
+        placed = [(at, Line(node, analysis.settings)) for at, node in lines(analysis, "jump")]
+        found = [_jump(at, line, jump) for at, line in placed for jump in line.node.find("jump")]
+        analysis.memo["z32 jumps"] = tuple(found)
+    jumps: tuple[Jump, ...] = analysis.memo["z32 jumps"]
+    return jumps
+
+
+def _jump(at: int, line: Line, jump: Node) -> Jump:
+    end = jump.node("range_end")
+    target = jump.children[1]
+    span = Span(end.start + 1, end.end) if end else None
+    ended = known(line, end.children[1]) if end else None
+    return Jump(at, jump, known(line, target), Span(target.start, target.end), ended, span)
+
+
+def entries(analysis: Analysis) -> set[float] | None:
+    """The block numbers that jumps lead to; None where one is computed, so that it may lead anywhere."""
+    targets = [jump.target for jump in jumps(analysis)]
+    return None if None in targets else {target for target in targets if target is not None}
+
+
+def sections(analysis: Analysis) -> list[int]:
+    """The lines that start a section."""
+    return [line for line, _ in lines(analysis, "section")]
+
+
+def section_of(starts: list[int], line: int) -> int:
+    """The number of the section that a line stands in; 0: before the first."""
+    return bisect_right(starts, line)
+
+
+def is_main(analysis: Analysis) -> bool:
+    """Whether it is certain that the operator starts this program: its main part ends in M2 or M30, and not at a jump target.
+
+    A subprogram may hold an M30 too, but behind a condition, not as its last block.
+    """
+    stores = {basename(normpath(str(analysis.settings[name]))) for name in ("cmos-dir", "file-root")}
+    if not stores.isdisjoint(dirname(analysis.file).split("/")[-1:]) and dirname(analysis.file):
+        return False
+    starts = sections(analysis)
+    last = _last_block(analysis, starts[0] if starts else analysis.document.line_count)
+    if last is None or "M_END" not in analysis.document.node(last).kinds:
+        return False
+    reached, value = entries(analysis), number_of(analysis.document.line(last))
+    return value is None or (reached is not None and value not in reached)
+
+
+def _last_block(analysis: Analysis, before: int) -> int | None:
+    numbers = range(before - 1, -1, -1)
+    return next((at for at in numbers if not BLOCK.isdisjoint(analysis.document.node(at).kinds)), None)
+
+
+def called(line: Line, call: Node) -> int | None:
+    """The number of the program that a GOP or GOS calls; None where only the run knows it or it is no integer."""
+    value = known(line, call.children[1])
+    return integer(value) if value is not None else None
+
+
+def beside(analysis: Analysis, path: str) -> str:
+    """A configured path as the host knows it: relative ones start at the program's folder."""
+    return normpath(join(dirname(analysis.file), path.replace("\\", "/")))
+
+
+def number_of(text: str) -> float | None:
+    """The block number of a line; None if it has none."""
+    match = _NUMBERED.match(text)
+    return number(match[2]) if match else None
+
+
+def first_line(analysis: Analysis) -> int | None:
+    """The first line of the program that is not blank: behind the `%` if there is one."""
+    for at in range(analysis.document.line_count):
+        node = analysis.document.node(at)
+        if node.reading.start is not None and "PERCENT" not in node.kinds and node.text.strip():
+            return at
+    return None

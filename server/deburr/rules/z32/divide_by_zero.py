@@ -1,0 +1,32 @@
+"""Division by zero.
+
+Source: spec/z32.md §4
+
+The control stops at a division by 0. Reported are divisors that are 0 on every run.
+
+Bad:
+
+    HA<1/0>
+         ^
+    X<Y/(2-2)>
+        ^^^^^
+    !HA=1/SN(180)!
+          ^^^^^^^
+
+Good:
+
+    HA<1/0.5>
+    X<0/2>
+"""
+
+from collections.abc import Iterator
+
+from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.z32._values import faults
+from deburr_grammar.tree import Node
+
+
+@rule(Severity.ERROR, Nodes(("product",)))
+def check(line: Line, node: Node) -> Iterator[Report]:
+    """Report the divisor."""
+    yield from faults(line, node, "divide-by-zero")

@@ -1,0 +1,37 @@
+"""`$FCEPP` behind the first block.
+
+It sets up the emulator before the program starts; behind the first block it comes too late.
+
+Source: spec/z32.md §6.6
+
+Bad:
+
+    G0 X1
+    A=$FCEPP('INIT_VAR_SYST')
+    ^^^^^^^^^^^^^^^^^^^^^^^^^
+
+Good:
+
+    A=$FCEPP('INIT_VAR_SYST')
+    G0 X1
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule, whole
+from deburr.rules.z32._program import first_block, lines
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the line."""
+    first = first_block(analysis)
+    for line, node in lines(analysis, "config"):
+        if first is not None and first < line:
+            config = next(node.find("config"))
+            yield Report(
+                whole(config),
+                "`$FCEPP` sets up what the first block already runs with; move it before that block",
+                line,
+            )

@@ -1,0 +1,43 @@
+"""Instruction that never runs.
+
+A jump, a call and EB end the advanced line, and a call comes back to the next block; what
+stands behind them runs only if an IF before them leads past.
+
+Source: spec/z32.md §6.2
+
+Bad:
+
+    :1
+    !GOP1;HA=2!
+          ^^^^
+    !IF HA>1; EB; HB=2! HA=0!
+                  ^^^^
+
+Good:
+
+    :1
+    !IF HA>1; GOP1! HA=2!
+"""
+
+from collections.abc import Iterator
+
+from deburr.rule import Line, Nodes, Report, Severity, rule, whole
+from deburr.rules.z32._fields import STOPS, groups
+from deburr_grammar.tree import Node
+
+
+@rule(Severity.WARNING, Nodes(("advanced",)))
+def check(line: Line, node: Node) -> Iterator[Report]:
+    """Report the first field of each stretch that never runs."""
+    reached, skips, stopped = True, False, ""
+    for group in groups(node):
+        reached, skips = reached or skips, False
+        for field in group:
+            if not reached:
+                if stopped:
+                    yield Report(whole(field), f"`{line.said(field)}` never runs: `{stopped}` ends the line before it")
+                stopped = ""
+                continue
+            skips = skips or field.kind == "if"
+            if field.kind in STOPS:
+                reached, stopped = False, line.said(field)

@@ -1,0 +1,38 @@
+"""Jump to a block number that no block has.
+
+The control stops when it does not find the number in the program. N150 and N150.0 are the same.
+
+Source: spec/z32.md §6.3
+
+Bad:
+
+    !GON150!
+        ^^^
+    !IF HA>1; GON11-N20! HA=2!
+                 ^^
+    N20
+
+Good:
+
+    !GON150!
+    N150.0 G0 X1
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.z32._program import jumps, labels
+from deburr.rules.z32._values import shown
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the number that is jumped to."""
+    for jump in jumps(analysis):
+        if jump.target is not None and not labels(analysis, jump.target):
+            yield Report(
+                jump.target_span,
+                f"no block has the number N{shown(jump.target)}; the control stops at this jump",
+                jump.line,
+            )

@@ -1,0 +1,42 @@
+"""Value stored in PAL[256] to PAL[512].
+
+The logic of the machine writes these; a program can only read them.
+
+Source: spec/z32.md §5
+
+Bad:
+
+    PAL[256]1
+    ^^^^^^^^
+    !PAL[512]=1!
+     ^^^^^^^^
+    PAL[255+1]<HA>
+    ^^^^^^^^^^
+
+Good:
+
+    PAL[255]1 PAR[256]1
+    !IF PAL[256]=1; EB! HA=2!
+"""
+
+from collections.abc import Iterator
+
+from deburr.arithmetic.z32 import integer
+from deburr.rule import Line, Nodes, Report, Severity, rule, whole
+from deburr.rules.z32._values import LAST, index, is_pal, known, stored
+from deburr_grammar.tree import Node
+
+FIRST = 256
+"""From here on PAL belongs to the machine."""
+
+
+@rule(Severity.ERROR, Nodes(("vector",)))
+def check(line: Line, node: Node) -> Iterator[Report]:
+    """Report the parameter."""
+    value = known(line, index(line, node))
+    number = None if value is None else integer(value)
+    if number is not None and FIRST <= number <= LAST and is_pal(line, node) and stored(line, node) is not None:
+        message = (
+            f"`{line.said(node)}` is written by the machine only; the control stops here, PAL[0] to PAL[255] are free"
+        )
+        yield Report(whole(node), message)

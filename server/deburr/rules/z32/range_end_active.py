@@ -1,0 +1,45 @@
+"""Last block of a jump with return that does something.
+
+Whether the control runs block m of GONn-Nm before it returns is not documented; here it does.
+An empty block as the end leaves no doubt.
+
+Source: spec/z32.md §6.3
+
+Bad:
+
+    !GON1-N2!
+    M30
+    N1 G0 X1
+    N2 G0 X2
+    ^^
+
+Good:
+
+    !GON1-N2!
+    M30
+    N1 G0 X1
+    N2 ;end
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Note, Report, Severity, Whole, rule
+from deburr.rules.z32._program import jumps, labels
+from deburr.rules.z32._values import shown
+
+
+@rule(Severity.WARNING, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the number of the block, once for all jumps."""
+    seen = set()
+    for jump in jumps(analysis):
+        if jump.end is None or jump.end_span is None or jump.end in seen:
+            continue
+        seen.add(jump.end)
+        for place in labels(analysis, jump.end):
+            if place.active:
+                message = f"block N{shown(jump.end)} ends a range and is run before the return; a control may skip it, use an empty block"
+                yield Report(
+                    place.span, message, place.line, (Note(jump.line, jump.end_span, "the jump that returns there"),)
+                )
