@@ -17,13 +17,13 @@ from deburr_grammar.line import Shape, Shapes
 from deburr_grammar.text import line_starts, split_lines, with_newlines
 
 SIZE = 16_384
-FANOUT = 24
+FANOUT = 8
 
 
 class Chunk:
     """Whole lines of text. Only the last chunk of a document may have a tail behind its last line end."""
 
-    __slots__ = ("text", "table", "eols", "chars", "memo", "_starts", "_shapes", "_marks")
+    __slots__ = ("text", "table", "eols", "chars", "memo", "_starts", "_shapes", "_marked", "_needs_depth")
 
     def __init__(
         self, text: str, table: Shapes, starts: array[int] | None = None, shapes: list[Shape] | None = None
@@ -36,7 +36,8 @@ class Chunk:
         self.eols = _count_ends(text) if starts is None else len(starts) - 1
         self.memo: dict[Any, Any] = {}
         """Room for what is derived from this chunk alone, under keys that name all else that went in."""
-        self._marks: tuple[bool, bool] | None = None
+        self._marked: array[int] | None = None
+        self._needs_depth: bool | None = None
 
     @property
     def starts(self) -> array[int]:
@@ -73,17 +74,18 @@ class Chunk:
         return self._shapes
 
     @property
-    def marks(self) -> tuple[bool, bool]:
-        """Whether any line must be shown to the outline, and whether any asks how deep it stands."""
-        if self._marks is None:
-            distinct = set(self.shapes)
-            self._marks = any(shape.marked for shape in distinct), any(shape.needs_depth for shape in distinct)
-        return self._marks
+    def marked(self) -> array[int]:
+        """The numbers of the lines that must be shown to the outline."""
+        if self._marked is None:
+            self._marked = array("I", [index for index, shape in enumerate(self.shapes) if shape.marked])
+        return self._marked
 
     @property
     def needs_depth(self) -> bool:
         """Whether any line asks how deep it stands."""
-        return self.marks[1]
+        if self._needs_depth is None:
+            self._needs_depth = any(shape.needs_depth for shape in set(self.shapes))
+        return self._needs_depth
 
 
 class Branch:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterator
 from functools import cached_property
+from itertools import islice
 from typing import NamedTuple, TypeVar
 
 from deburr_grammar.chunk import SIZE, Branch, Chunk, grown
@@ -47,6 +48,13 @@ class Piece(NamedTuple):
                 yield reading, first, shapes[first:stop]
 
 
+class _Way(NamedTuple):
+    """From the root to a chunk, and the chunk in its place."""
+
+    path: list[Step]
+    piece: Piece
+
+
 class Document:
     """One version of a program. `edit` gives the next one and shares what it did not touch."""
 
@@ -54,6 +62,7 @@ class Document:
         self.dialect = dialect
         self._root = root
         self._size = size
+        self._last_way: _Way | None = None
 
     @classmethod
     def parse(cls, text: str, dialect: Dialect, size: int = SIZE) -> Document:
@@ -95,17 +104,13 @@ class Document:
 
     def piece(self, line: int) -> Piece:
         """The chunk that holds a line."""
-        step = self._path(line)[-1]
-        chunk = step.branch.children[step.number]
-        assert isinstance(chunk, Chunk)
-        return Piece(step.line, chunk, step.before, self._outliner.outlined(chunk, step.before))
+        return self._way(line).piece
 
     def pieces(self) -> Iterator[Piece]:
         """The chunks in order, each in its place."""
-        first, before = 0, self._outliner.start
-        for chunk in self.chunks():
+        first = 0
+        for chunk, before in self._placed(self._root, self._outliner.start):
             yield Piece(first, chunk, before, self._outliner.outlined(chunk, before))
-            before = self._outliner.behind(chunk, before)
             first += chunk.eols
 
     def key(self, piece: Piece) -> Hashable:
@@ -144,17 +149,15 @@ class Document:
 
     def partner(self, line: int, bracket: Bracket) -> tuple[int, Bracket] | None:
         """The other end of an opener or closer by depth alone; None where there is none in its region."""
-        return Partners(self._outliner, self._path(line)).find(line, bracket)
+        return Partners(self._outliner, self._way(line).path).find(line, bracket)
 
     def state(self, fold: Fold[S], line: int) -> S:
         """The state of a fold before a line."""
         state = fold.start
-        for step in self._path(line):
-            before = step.top
-            for child in step.branch.children[: step.number]:
+        path, piece = self._way(line)
+        for step in path:
+            for child, before in islice(self._outliner.inner(step.branch, step.top), step.number):
                 state = carried(fold, state, child, before, self._outliner)
-                before = self._outliner.behind(child, before)
-        piece = self.piece(line)
         return through(fold, state, piece.chunk, piece.outlined, line - piece.line)
 
     def edit(self, *edits: Edit) -> Document:
@@ -175,21 +178,34 @@ class Document:
     def _outliner(self) -> Outliner:
         return Outliner(self.dialect, facts_of(self._root, self.dialect))
 
-    def _path(self, line: int) -> list[Step]:
-        """The way from the root to the chunk that holds a line."""
+    def _way(self, line: int) -> _Way:
+        """The way from the root to the chunk that holds a line. What is asked of a line is often followed by more of it."""
+        kept = self._last_way
+        if kept is None or not (line == kept.piece.line or kept.piece.line <= line < kept.piece.line + kept.piece.chunk.eols):
+            kept = self._last_way = self._found_way(line)
+        return kept
+
+    def _found_way(self, line: int) -> _Way:
         path: list[Step] = []
         node: Branch | Chunk = self._root
         first, before = 0, self._outliner.start
         while isinstance(node, Branch):
-            top, last = before, len(node.children) - 1
+            top, start, last = before, first, len(node.children) - 1
             for number, child in enumerate(node.children):
                 if line < first + child.eols or number == last:
-                    path.append(Step(node, number, first, top, before))
+                    before = self._outliner.at(node, top, number)
+                    path.append(Step(node, number, start, first, top, before))
                     node = child
                     break
-                before = self._outliner.behind(child, before)
                 first += child.eols
-        return path
+        return _Way(path, Piece(first, node, before, self._outliner.outlined(node, before)))
+
+    def _placed(self, node: Branch | Chunk, before: Before) -> Iterator[tuple[Chunk, Before]]:
+        if isinstance(node, Chunk):
+            yield node, before
+            return
+        for child, inner in self._outliner.inner(node, before):
+            yield from self._placed(child, inner)
 
     def _place(self, line: int) -> Place:
         """The chunk that holds a line, found without reading any."""
@@ -206,10 +222,12 @@ class Document:
         return Place(index, first, node)
 
     def _edited(self, edit: Edit) -> Document:
-        start, end = self.offset(edit.start), self.offset(edit.end)
+        start = self.offset(edit.start)
+        end = start if edit.end == edit.start else self.offset(edit.end)
         if end < start:
             start, end = end, start
-        left, right = self._place(start.line), self._place(end.line)
+        left = self._place(start.line)
+        right = left if end.line == start.line else self._place(end.line)
         root = replaced(self._root, left, right, start, end, edit.text, self._size)
         return Document(self.dialect, root, self._size)
 

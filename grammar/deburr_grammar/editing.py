@@ -77,7 +77,7 @@ def _patched(damage: _Damage, text: str) -> _Region:
     if kept:
         starts.pop()
         moved = bottom - kept[0]
-        starts.extend(start + moved for start in kept)
+        starts.extend([start + moved for start in kept])
     return _Region(text, starts, above[: damage.first] + shapes + below[damage.last + 1 :])
 
 

@@ -34,10 +34,9 @@ def carried(fold: Fold[S], state: S, node: Branch | Chunk, before: Before, outli
     key = (fold, state, outliner.key(node, before))
     if key not in node.memo:
         if isinstance(node, Branch):
-            found, inner = state, before
-            for child in node.children:
+            found = state
+            for child, inner in outliner.inner(node, before):
                 found = carried(fold, found, child, inner, outliner)
-                inner = outliner.behind(child, inner)
         else:
             found = through(fold, state, node, outliner.outlined(node, before))
         outliner.keep(node, key, found)
@@ -54,10 +53,11 @@ def through(fold: Fold[S], state: S, chunk: Chunk, outlined: Outlined, upto: int
     for index, bracket in outlined.brackets:
         held.setdefault(index, []).append(bracket)
     plain = fold.plain
+    lines = chunk.lines if chunk.marked else ()
     for index, shape in enumerate(chunk.shapes[:upto]):
         reading = runs.get(index, reading)
         if shape.marked:
-            state = fold.marked(state, LineNode(chunk.line(index), reading, shape), held.get(index, ()))
+            state = fold.marked(state, LineNode(lines[index], reading, shape), held.get(index, ()))
         else:
             state = plain(state, reading, shape)
     return state

@@ -88,6 +88,11 @@ def _parse(dialect: Dialect, reading: Reading, text: str) -> Parsed:
     return dialect.grammar.parse(reading.start, text)
 
 
+@lru_cache(maxsize=8192)
+def _nodes(dialect: Dialect, reading: Reading, text: str) -> tuple[Node, ...]:
+    return tuple(part for part in walk(_parse(dialect, reading, text).tree) if isinstance(part, Node))
+
+
 @lru_cache(maxsize=4096)
 def _interned(kinds: frozenset[str]) -> frozenset[str]:
     return kinds
@@ -122,14 +127,14 @@ def shapes_of(dialect: Dialect) -> Shapes:
 class LineNode:
     """One line: its text without the ending, its reading, its tree and its problems, in columns of the line."""
 
-    __slots__ = ("text", "reading", "shape", "_tree", "_nodes")
+    __slots__ = ("text", "reading", "shape", "_tree", "_columns")
 
     def __init__(self, text: str, reading: Reading, shape: Shape) -> None:
         self.text = text
         self.reading = reading
         self.shape = shape
         self._tree: Node | None = None
-        self._nodes: list[Node] | None = None
+        self._columns: list[int] | None = None
 
     @property
     def dialect(self) -> Dialect:
@@ -145,7 +150,8 @@ class LineNode:
     def tree(self) -> Node:
         """The tree; of a faulty line, what was read before the fault. Empty where the reading reads nothing."""
         if self._tree is None:
-            self._tree = self._read()
+            reads = self.reading.start is not None and self.shape.readable
+            self._tree = self._moved(self.shape.tree(self.reading)) if reads else _EMPTY
         return self._tree
 
     @property
@@ -163,18 +169,16 @@ class LineNode:
         """All nodes of the given kinds, in reading order."""
         if self.kinds.isdisjoint(kinds):
             return iter(())
-        if self._nodes is None:
-            self._nodes = [part for part in walk(self.tree) if isinstance(part, Node)]
-        return (node for node in self._nodes if node.kind in kinds)
+        nodes = _nodes(self.dialect, self.reading, self.shape.text)
+        return (self._moved(node) for node in nodes if node.kind in kinds)
 
-    def _read(self) -> Node:
-        if self.reading.start is None or not self.shape.readable:
-            return _EMPTY
-        tree = self.shape.tree(self.reading)
+    def _moved(self, node: Node) -> Node:
+        """A part of the shape's tree in columns of the line."""
         if self.text == self.shape.text:
-            return tree
-        columns = self.dialect.folding.columns(self.text)
-        return moved(tree, columns.table(len(self.shape.text)).__getitem__)
+            return node
+        if self._columns is None:
+            self._columns = self.dialect.folding.columns(self.text).table(len(self.shape.text))
+        return moved(node, self._columns.__getitem__)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, LineNode):

@@ -6,7 +6,7 @@ has met, a branch keeps the sum over its children; so a changed state runs on on
 meets one that is known.
 """
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -27,13 +27,23 @@ class Before(NamedTuple):
     balance: Balance
 
 
+class Summed(NamedTuple):
+    """A branch under a state: its balance, what holds behind it, what is left of its brackets, and what holds before each child, the balance there counted from the branch's start."""
+
+    balance: Balance
+    state: Hashable
+    left: Reduction
+    inner: tuple[Before, ...]
+
+
 class Outlined(NamedTuple):
-    """A chunk under a state: from which line on which reading holds, its brackets with their lines, and what holds behind it."""
+    """A chunk under a state: from which line on which reading holds, its brackets with their lines and what is left of them, and what holds behind it."""
 
     runs: tuple[tuple[int, Reading], ...]
     brackets: tuple[tuple[int, Bracket], ...]
     balance: Balance
     state: Hashable
+    left: Reduction
 
     def reading(self, index: int) -> Reading:
         """How a line of the chunk is read."""
@@ -57,6 +67,20 @@ class Outliner:
         found = self._found(node, before)
         return Before(found.state, before.balance.then(found.balance))
 
+    def inner(self, node: Branch, before: Before) -> Iterator[tuple[Branch | Chunk, Before]]:
+        """The children of a branch, each with what holds before it."""
+        found = self._found(node, before)
+        assert isinstance(found, Summed)
+        for child, inner in zip(node.children, found.inner):
+            yield child, Before(inner.state, before.balance.then(inner.balance))
+
+    def at(self, node: Branch, before: Before, number: int) -> Before:
+        """What holds before one child of a branch."""
+        found = self._found(node, before)
+        assert isinstance(found, Summed)
+        inner = found.inner[number]
+        return Before(inner.state, before.balance.then(inner.balance))
+
     def balance(self, node: Branch | Chunk, before: Before) -> Balance:
         """The balance of a node's own brackets."""
         return self._found(node, before).balance
@@ -69,19 +93,7 @@ class Outliner:
 
     def reduction(self, node: Branch | Chunk, before: Before) -> Reduction:
         """A node's brackets with all pairs inside it taken out; lines counted from the node's first."""
-        key = ("reduction", self.key(node, before))
-        found: Reduction | None = node.memo.get(key)
-        if found is None:
-            if isinstance(node, Chunk):
-                found = reduction(self.outlined(node, before).brackets)
-            else:
-                found, lines = NOTHING, 0
-                for child in node.children:
-                    found = found.then(self.reduction(child, before).moved(lines))
-                    before = self.behind(child, before)
-                    lines += child.eols
-            self.keep(node, key, found)
-        return found
+        return self._found(node, before).left
 
     def key(self, node: Branch | Chunk, before: Before) -> Hashable:
         """All that the outline of a node depends on besides its text."""
@@ -93,40 +105,42 @@ class Outliner:
             node.memo.clear()
         node.memo[key] = value
 
-    def _found(self, node: Branch | Chunk, before: Before) -> Before | Outlined:
+    def _found(self, node: Branch | Chunk, before: Before) -> Summed | Outlined:
         key = self.key(node, before)
-        found: Before | Outlined | None = node.memo.get(key)
+        found: Summed | Outlined | None = node.memo.get(key)
         if found is None:
             found = self._sum(node, before) if isinstance(node, Branch) else self._read(node, before)
             self.keep(node, key, found)
         return found
 
-    def _sum(self, node: Branch, before: Before) -> Before:
+    def _sum(self, node: Branch, before: Before) -> Summed:
         state, total, running = before.state, EVEN, before.balance
+        left, lines = NOTHING, 0
+        inner: list[Before] = []
         for child in node.children:
+            inner.append(Before(state, total))
             found = self._found(child, Before(state, running))
+            left, lines = left.then(found.left.moved(lines)), lines + child.eols
             state, total, running = found.state, total.then(found.balance), running.then(found.balance)
-        return Before(state, total)
+        return Summed(total, state, left, tuple(inner))
 
     def _read(self, chunk: Chunk, before: Before) -> Outlined:
         outline = self.dialect.outline
         state, running = before.state, before.balance
         runs = [(0, outline.reading(state))]
         found: list[tuple[int, Bracket]] = []
-        if chunk.marks[0]:
-            lines = chunk.lines
-            for index, shape in enumerate(chunk.shapes):
-                if not shape.marked:
-                    continue
-                depth = running.openers if shape.needs_depth else -1
-                step = _step(self.dialect, self.facts, state, depth, shape, lines[index])
-                _run(runs, index, step.reading)
-                found += [(index, bracket) for bracket in step.brackets]
-                for bracket in step.brackets:
-                    running = running.then(single(bracket))
-                state = step.state
-                _run(runs, index + 1, outline.reading(state))
-        return Outlined(tuple(runs), tuple(found), balance(bracket for _, bracket in found), state)
+        lines = chunk.lines if chunk.marked else ()
+        for index in chunk.marked:
+            shape = chunk.shapes[index]
+            depth = running.openers if shape.needs_depth else -1
+            step = _step(self.dialect, self.facts, state, depth, shape, lines[index])
+            _run(runs, index, step.reading)
+            found += [(index, bracket) for bracket in step.brackets]
+            for bracket in step.brackets:
+                running = running.then(single(bracket))
+            state = step.state
+            _run(runs, index + 1, outline.reading(state))
+        return Outlined(tuple(runs), tuple(found), balance(bracket for _, bracket in found), state, reduction(found))
 
 
 @lru_cache(maxsize=16_384)
@@ -150,7 +164,10 @@ def facts_of(node: Branch | Chunk, dialect: Dialect) -> frozenset[str]:
         if isinstance(node, Chunk):
             found = dialect.outline.facts(with_newlines(node.text))
         else:
-            found = frozenset().union(*(facts_of(child, dialect) for child in node.children))
+            found = frozenset[str]()
+            for child in node.children:
+                if facts := facts_of(child, dialect):
+                    found |= facts
         node.memo["facts"] = found
     assert isinstance(found, frozenset)
     return found

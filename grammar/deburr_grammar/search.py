@@ -14,10 +14,11 @@ Found = tuple[int, Bracket] | None
 
 
 class Step(NamedTuple):
-    """A child on the way from the root to a chunk: its number, its first line, what holds before its branch and before itself."""
+    """A child on the way from the root to a chunk: its branch and number, their first lines, what holds before each."""
 
     branch: Branch
     number: int
+    first: int
     line: int
     top: Before
     before: Before
@@ -49,15 +50,13 @@ class Partners:
 
     def _siblings(self, step: Step, forward: bool) -> list[_At]:
         if forward:
-            return self._placed(step.branch.children[step.number :], step.line, step.before)[1:]
-        first = step.line - sum(child.eols for child in step.branch.children[: step.number])
-        return self._placed(step.branch.children[: step.number], first, step.top)[::-1]
+            return self._placed(step.branch, step.first, step.top)[step.number + 1 :]
+        return self._placed(step.branch, step.first, step.top)[: step.number][::-1]
 
-    def _placed(self, nodes: Iterable[Branch | Chunk], line: int, before: Before) -> list[_At]:
+    def _placed(self, branch: Branch, line: int, before: Before) -> list[_At]:
         placed = []
-        for node in nodes:
-            placed.append(_At(node, line, before))
-            before = self._outliner.behind(node, before)
+        for node, inner in self._outliner.inner(branch, before):
+            placed.append(_At(node, line, inner))
             line += node.eols
         return placed
 
@@ -70,7 +69,7 @@ class Partners:
         if isinstance(at.node, Chunk):
             brackets = self._brackets(at)
             return _scan(brackets if forward else reversed(brackets), depth, forward)
-        inner = self._placed(at.node.children, at.line, at.before)
+        inner = self._placed(at.node, at.line, at.before)
         for child in inner if forward else reversed(inner):
             done, found, depth = self._visit(child, depth, forward)
             if done:

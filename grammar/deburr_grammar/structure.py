@@ -43,7 +43,7 @@ def balance(brackets: Iterable[Bracket]) -> Balance:
     total = EVEN
     for bracket in brackets:
         total = total.then(single(bracket))
-    return total
+    return EVEN if total == EVEN else total
 
 
 def single(bracket: Bracket) -> Balance:
@@ -115,6 +115,8 @@ class Reduction(NamedTuple):
 
     def then(self, after: "Reduction") -> "Reduction":
         """This stretch and the one behind it together; lines of both counted alike."""
+        if after is NOTHING or self is NOTHING:
+            return self if after is NOTHING else after
         pairs = min(len(self.openers), len(after.closers))
         faults = [found for pair in zip(reversed(self.openers), after.closers[:pairs]) if (found := _compared(*pair))]
         left_open, left_closing = self.openers[: len(self.openers) - pairs], after.closers[pairs:]
@@ -184,7 +186,8 @@ def reduction(brackets: Iterable[tuple[int, Bracket]]) -> Reduction:
             faults += _boundaries(last, placed) if last is not None else []
             openers.clear()
             first, last = first or placed, placed
-    return Reduction(tuple(closers), tuple(openers), tuple(faults), first, last)
+    left = Reduction(tuple(closers), tuple(openers), tuple(faults), first, last)
+    return NOTHING if left == NOTHING else left
 
 
 def explained(faults: Iterable[StructureFault]) -> list[StructureFault]:

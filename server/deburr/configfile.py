@@ -161,9 +161,10 @@ def _has_table(path: str) -> bool:
 
     try:
         data = paths.data(path)
-        return b"deburr" in data and "deburr" in tomllib.loads(data.decode()).get("tool", {})
+        tool = tomllib.loads(data.decode()).get("tool") if b"deburr" in data else None
     except (OSError, ValueError):
         return False
+    return isinstance(tool, dict) and "deburr" in tool
 
 
 def _placed(path: str, error: str) -> str:

@@ -10,7 +10,7 @@ from deburr.suggest import suggestion
 from deburr.suppress import comment_pattern
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.dialects import NAMES, by_name
-from deburr_grammar.text import split_lines
+from deburr_grammar.text import split_lines, with_newlines
 
 SHARED = (".nc", ".tap", ".cnc", ".gcode", ".txt", ".tmp")
 """Extensions that programs of many controls have: what stands in the file decides."""
@@ -90,7 +90,7 @@ def _by_content(file: str, text: str) -> Answer:
     found = extension(file)
     if file and found not in SHARED:
         return Answer(None, f"no dialect has the extension {found}" if found else "the file has no extension")
-    shown = list(_shown(map(by_name, NAMES), text[:_FAR]))
+    shown = list(_shown(map(by_name, NAMES), with_newlines(text[:_FAR])))
     if len(shown) == 1:
         dialect, what = shown[0]
         return Answer(dialect.name, what)

@@ -36,9 +36,9 @@ class Page:
     blocks: tuple[Block, ...]
 
 
-def page_of(rule: Rule, dialect: Dialect) -> Page:
-    """The page of a rule in a dialect's spelling."""
-    text = spelled(rule.page, dialect).strip() + "\n"
+def page_of(rule: Rule, dialect: Dialect, *, short: bool = True) -> Page:
+    """The page of a rule in a dialect's spelling; ``short``: repetitions are hinted at, as people want it."""
+    text = spelled(rule.page, dialect, short).strip() + "\n"
     blocks = tuple(_block(match) for match in _BLOCK.finditer(text))
     head = text.partition("\nBad")[0].partition("\nGood")[0]
     summary, _, rest = head.partition("\n")
@@ -47,12 +47,12 @@ def page_of(rule: Rule, dialect: Dialect) -> Page:
     return Page(summary, why, source[1] if source else "", blocks)
 
 
-def spelled(text: str, dialect: Dialect) -> str:
+def spelled(text: str, dialect: Dialect, short: bool) -> str:
     """A page with its placeholders written out."""
     lines = text.split("\n")
     for at, line in enumerate(lines):
         if _PLACEHOLDER.search(line):
-            lines[at], moved = _written(line, dialect)
+            lines[at], moved = _written(line, dialect, short)
             if at + 1 < len(lines) and CARETS.fullmatch(lines[at + 1]):
                 lines[at + 1] = _carets(lines[at + 1], moved)
     return "\n".join(lines)
@@ -63,7 +63,7 @@ def _block(match: re.Match[str]) -> Block:
     return Block(match[1] == "Good", options, tuple(line[4:] for line in match[3].rstrip("\n").split("\n")))
 
 
-def _written(line: str, dialect: Dialect) -> tuple[str, Callable[[int], int]]:
+def _written(line: str, dialect: Dialect, short: bool) -> tuple[str, Callable[[int], int]]:
     """The line written out, and where its columns have gone: each placeholder's ends go to the ends of what it stands for."""
     ends = [(0, 0)]
     out = ""
@@ -71,17 +71,17 @@ def _written(line: str, dialect: Dialect) -> tuple[str, Callable[[int], int]]:
     for match in _PLACEHOLDER.finditer(line):
         out += line[done : match.start()]
         ends.append((match.start(), len(out)))
-        out += _meaning(match[0], dialect)
+        out += _meaning(match[0], dialect, short)
         done = match.end()
         ends.append((done, len(out)))
     return (out + line[done:]).rstrip(), lambda col: max((at, to + col - at) for at, to in ends if at <= col)[1]
 
 
-def _meaning(placeholder: str, dialect: Dialect) -> str:
+def _meaning(placeholder: str, dialect: Dialect, short: bool) -> str:
     opens, closes = dialect.comments[0]
     inner = placeholder[1:-1]
     if "*" in inner:
-        return inner[0] * int(inner[2:])
+        return f"{inner[0] * 3}...{inner[0] * 3}" if short else inner[0] * int(inner[2:])
     return {"(": opens, ")": closes, "dialect": dialect.name}[inner]
 
 

@@ -62,9 +62,14 @@ class Line(NamedTuple):
 
 
 class Syntax(NamedTuple):
-    """The rule is called for each Problem of its own name, and for each node of ``kinds`` that can break it though it can be read: `check(line, part)`."""
+    """The rule is called for each Problem of its own name, and for each node of ``kinds`` that can break it though it can be read: `check(line, part)`.
+
+    ``only``: a setting and the value without which no node breaks the rule. Where it has another
+    one, lines that can be read cost nothing.
+    """
 
     kinds: tuple[str, ...] = ()
+    only: tuple[str, str] | None = None
 
 
 class Nodes(NamedTuple):

@@ -59,13 +59,10 @@ class RuleSet:
     def _planned(self, shape: Shape, reading: Reading) -> tuple[Rule, ...]:
         facts = shape.facts(reading)
         problems = {problem.kind for problem in facts.problems}
-        plan = [r for r, kinds in self._on_syntax if r.short in problems or not kinds.isdisjoint(facts.kinds)]
+        plan = [rule for rule in self._on_parts if rule.short in problems or not facts.kinds.isdisjoint(self._kinds[rule])]
+        # A shape is a line of its own, and the sample of all lines that share it.
         sample = LineNode(shape.text, reading, shape)
-        for rule, kinds, by_shape in self._on_nodes:
-            # A shape is a line of its own, and the sample of all lines that share it.
-            if not kinds.isdisjoint(facts.kinds) and not (by_shape and not any(self.on_line(sample, (rule,)))):
-                plan.append(rule)
-        return tuple(plan)
+        return tuple(rule for rule in plan if not _by_shape(rule) or any(self.on_line(sample, (rule,))))
 
     def on_line(self, node: LineNode, plan: tuple[Rule, ...]) -> Iterator[tuple[Rule, Report]]:
         """What the planned rules say of a line."""
@@ -75,8 +72,8 @@ class RuleSet:
                 for problem in node.problems:
                     if problem.kind == rule.short:
                         yield from ((rule, report) for report in rule.check(line, problem))
-            if isinstance(rule.trigger, Syntax | Nodes):
-                for part in node.find(*rule.trigger.kinds):
+            if rule in self._kinds:
+                for part in node.find(*self._kinds[rule]):
                     yield from ((rule, report) for report in rule.check(line, part))
             else:
                 yield from ((rule, report) for report in rule.check(line))
@@ -107,11 +104,20 @@ class RuleSet:
         return {rule.short: rule for rule in self.rules if isinstance(rule.trigger, Noticed)}
 
     @cached_property
-    def _on_syntax(self) -> tuple[tuple[Rule, frozenset[str]], ...]:
-        syntax = ((rule, rule.trigger) for rule in self.rules if isinstance(rule.trigger, Syntax))
-        return tuple((rule, frozenset(trigger.kinds)) for rule, trigger in syntax)
+    def _on_parts(self) -> tuple[Rule, ...]:
+        """Rules on what a line was read as: those on faults before those on nodes."""
+        return tuple(sorted(self._kinds, key=lambda rule: isinstance(rule.trigger, Nodes)))
 
     @cached_property
-    def _on_nodes(self) -> tuple[tuple[Rule, frozenset[str], bool], ...]:
-        nodes = ((rule, rule.trigger) for rule in self.rules if isinstance(rule.trigger, Nodes))
-        return tuple((rule, frozenset(trigger.kinds), trigger.by_shape) for rule, trigger in nodes)
+    def _kinds(self) -> Mapping[Rule, tuple[str, ...]]:
+        """The kinds of node for which each rule on syntax or nodes is called."""
+        triggers = ((rule, rule.trigger) for rule in self.rules)
+        return {rule: self._of(trigger) for rule, trigger in triggers if isinstance(trigger, Syntax | Nodes)}
+
+    def _of(self, trigger: Syntax | Nodes) -> tuple[str, ...]:
+        only = trigger.only if isinstance(trigger, Syntax) else None
+        return trigger.kinds if only is None or self.settings.get(only[0]) == only[1] else ()
+
+
+def _by_shape(rule: Rule) -> bool:
+    return isinstance(rule.trigger, Nodes) and rule.trigger.by_shape

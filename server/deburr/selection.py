@@ -46,7 +46,7 @@ def unknown(name: str, *, whole: bool = False) -> str:
         return ""
     dialect = name.partition(".")[0]
     if dialect not in NAMES:
-        return f"`{name}` is no rule{suggestion(name, (*NAMES, *_all_names()))}"
+        return f"`{name}` is no rule{_meant(name)}"
     names = rule_names(dialect)
     if name in names or (not whole and any(covers(name, each) for each in names)):
         return ""
@@ -55,5 +55,8 @@ def unknown(name: str, *, whole: bool = False) -> str:
     return f"`{name}` is no rule{suggestion(name, names)}"
 
 
-def _all_names() -> list[str]:
-    return [name for dialect in NAMES for name in rule_names(dialect)]
+def _meant(name: str) -> str:
+    """What a name without a dialect may have meant."""
+    names = [each for dialect in NAMES for each in rule_names(dialect)]
+    short = [f"`{each}`" for each in names if each.partition(".")[2] == name]
+    return f"; did you mean {' or '.join(short)}?" if short else suggestion(name, (*NAMES, *names))

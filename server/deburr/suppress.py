@@ -99,11 +99,15 @@ def _pattern(dialect: Dialect) -> re.Pattern[str]:
 
 
 def _names(match: re.Match[str], alone: bool) -> Iterator[Allow]:
+    """The names of one comment; one without any is an empty name, which no rule has."""
     group = next(name for name, said in match.groupdict().items() if said is not None)
     without_reason = re.split(r"(?:^|\s)--(?:\s|$)", match[group], maxsplit=1)[0]
     at = match.start(group)
-    for name in re.finditer(r"[^,\s](?:[^,]*[^,\s])?", without_reason):
+    names = list(re.finditer(r"[^,\s](?:[^,]*[^,\s])?", without_reason))
+    for name in names:
         yield Allow(name[0], Span(at + name.start(), at + name.end()), alone)
+    if not names:
+        yield Allow("", Span(match.string.rindex(_SIGN, 0, at), at), alone)
 
 
 def _in_chunk(chunk: Chunk, dialect: Dialect) -> tuple[tuple[int, tuple[Allow, ...]], ...]:

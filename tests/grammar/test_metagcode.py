@@ -3,6 +3,7 @@
 import re
 
 import pytest
+
 from deburr_grammar.dialects import by_name
 from deburr_grammar.dialects.metagcode.forms import counters, is_numeric, name, names, number
 from deburr_grammar.document import Document
@@ -63,7 +64,10 @@ def test_gcode_lines_pass_through_with_their_variables(line: str, tree: str) -> 
     ("line", "tree"),
     [
         ("#IF1 |a| equalto 1 n", "line(if(#IF 1 condition(left(|a|) operator(equalto) right(1) type(n))))"),
-        ("\t#If012  a\tNOTEQUALTO | b c | Alpha ", "line(if(#If 012 condition(left(a) operator(NOTEQUALTO) right(| b c |) type(Alpha))))"),
+        (
+            "\t#If012  a\tNOTEQUALTO | b c | Alpha ",
+            "line(if(#If 012 condition(left(a) operator(NOTEQUALTO) right(| b c |) type(Alpha))))",
+        ),
         ("#IF1 n lessthan -.5 |t|", "line(if(#IF 1 condition(left(n) operator(lessthan) right(-.5) type(|t|))))"),
         ("#IF1 |a| = 1 text", "line(if(#IF 1 condition(left(|a|) operator(=) right(1) type(text))))"),
         ("#IF |a| equalto 1 n", "line(if(#IF condition(left(|a|) operator(equalto) right(1) type(n))))"),
@@ -153,7 +157,10 @@ def test_nothing_else_is_a_block(line: str) -> None:
 
 def test_what_a_loop_counts() -> None:
     line = Document.parse("#LOOP1 | z | 2 c Y 1 r |x y| |s| c", DIALECT).node(0)
-    assert [(found, line.text[token.start : token.end]) for found, token in counters(line)] == [("z", "| z |"), ("x y", "|x y|")]
+    assert [(found, line.text[token.start : token.end]) for found, token in counters(line)] == [
+        ("z", "| z |"),
+        ("x y", "|x y|"),
+    ]
 
 
 def test_names_stand_between_two_bars_of_one_line() -> None:

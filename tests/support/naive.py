@@ -84,7 +84,7 @@ def told(dialect: Dialect, line: str, problems: tuple[Problem, ...]) -> tuple[Pr
     """The problems of a direct parse as a shape tells them: one that ends inside a digit run or an inert body ends behind it."""
     columns = dialect.folding.columns(line)
     ends = [columns(col) for col in range(len(dialect.folding.fold(line)) + 1)] if problems else []
-    return tuple(replace(problem, end=next(end for end in ends if problem.end <= end)) for problem in problems)
+    return tuple(replace(problem, end=next((end for end in ends if problem.end <= end), problem.end)) for problem in problems)
 
 
 def placed(lines: Sequence[NaiveLine]) -> list[tuple[int, Bracket]]:

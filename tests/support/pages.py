@@ -34,7 +34,7 @@ def examples(rule: Rule, dialect: Dialect) -> Iterator[Example]:
     sets a setting; a value with `|` is a list. A line `-- NAME --` starts another file.
     In a whole program `{}` is the frame with nothing in it; `␀` and `␚` stand for the bytes that they are pictures of.
     """
-    for block in page_of(rule, dialect).blocks:
+    for block in page_of(rule, dialect, short=False).blocks:
         frame = "{}" if "whole" in block.options else dialect.frame
         bare = dialect.frame.replace("{}\n", "").replace("{}", "").removesuffix("\n")
         lines = [line.replace("{}", bare) for line in block.lines]

@@ -52,6 +52,11 @@ def parser() -> argparse.ArgumentParser:
     found.add_argument(
         "--fail-on", choices=LEVELS, help="the least severity for which the exit code is 1 (default: error)"
     )
+    _add_output(found)
+    return found
+
+
+def _add_output(found: argparse.ArgumentParser) -> None:
     found.add_argument("--exit-zero", action="store_true", help="exit 0 whatever is found")
     found.add_argument(
         "--output-format",
@@ -74,7 +79,6 @@ def parser() -> argparse.ArgumentParser:
     loudness = found.add_mutually_exclusive_group()
     loudness.add_argument("-q", "--quiet", action="store_true", help="findings only, no summary")
     loudness.add_argument("-v", "--verbose", action="store_true", help="also say, on stderr, how each file was read")
-    return found
 
 
 def _add_rules(found: argparse.ArgumentParser, name: str, default: list[str] | None, text: str) -> None:

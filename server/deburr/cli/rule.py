@@ -7,7 +7,7 @@ from typing import Any
 from deburr.cli.common import unable
 from deburr.page import Block, page_of
 from deburr.rule import Rule, covers, rule_names, rules_of
-from deburr.suggest import suggestion
+from deburr.selection import unknown
 from deburr_grammar.dialects import NAMES, by_name
 
 FORMS = ("text", "json", "markdown")
@@ -30,7 +30,7 @@ def run(arguments: argparse.Namespace) -> int:
     names = [name for dialect in NAMES for name in rule_names(dialect)]
     wanted = [name for name in names if arguments.name is None or covers(arguments.name, name)]
     if not wanted:
-        return unable([f"`{arguments.name}` is no rule{suggestion(arguments.name, (*names, *NAMES))}"])
+        return unable([unknown(arguments.name)])
     one = arguments.name in names
     rules = list(_rules({arguments.name} if one else set(wanted)))
     print(_page(*rules[0], arguments.output_format) if one else _list(rules, arguments.output_format))
@@ -41,7 +41,7 @@ def markdown(rule: Rule, dialect: str) -> str:
     """A rule's page in Markdown."""
     page = page_of(rule, by_name(dialect))
     source = [f"Source: {page.source}"] if page.source else []
-    head = [f"# {rule.name} ({_kind(rule)})", page.summary, page.why, *source]
+    head = [f"# {rule.name} ({kind(rule)})", page.summary, page.why, *source]
     return "\n\n".join([*head, *(_fenced(block) for block in page.blocks)])
 
 
@@ -56,7 +56,7 @@ def _page(rule: Rule, dialect: str, form: str) -> str:
     if form == "markdown":
         return markdown(rule, dialect)
     page = page_of(rule, by_name(dialect))
-    parts = [f"{rule.name} ({_kind(rule)})", page.summary, page.why, f"Source: {page.source}"]
+    parts = [f"{rule.name} ({kind(rule)})", page.summary, page.why, f"Source: {page.source}"]
     parts += [
         f"{_title(block)}:\n\n" + "\n".join(f"    {line}".rstrip() for line in block.lines) for block in page.blocks
     ]
@@ -67,7 +67,7 @@ def _list(rules: list[tuple[Rule, str]], form: str) -> str:
     if form == "json":
         return _dumped([_object(rule, dialect) for rule, dialect in rules])
     if form == "markdown":
-        rows = (f"| `{rule.name}` | {_kind(rule)} | {rule.summary} |" for rule, _ in rules)
+        rows = (f"| `{rule.name}` | {kind(rule)} | {rule.summary} |" for rule, _ in rules)
         return "\n".join(["| rule | severity | meaning |", "|---|---|---|", *rows])
     width = max(len(rule.name) for rule, _ in rules)
     return "\n".join(f"{rule.name:<{width}}  {rule.severity.word:<7}  {rule.summary}" for rule, _ in rules)
@@ -93,7 +93,8 @@ def _dumped(found: Any) -> str:
     return dumps(found, indent=2, ensure_ascii=False)
 
 
-def _kind(rule: Rule) -> str:
+def kind(rule: Rule) -> str:
+    """A rule's severity, and whether it speaks unless asked to."""
     return rule.severity.word if rule.default else f"{rule.severity.word}, off by default"
 
 

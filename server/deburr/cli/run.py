@@ -98,7 +98,7 @@ def outcomes(checker: Checker, targets: Sequence[Target], jobs: int) -> Iterator
     from multiprocessing import Pool
 
     with Pool(min(jobs, len(targets)), _start, (checker,)) as pool:
-        yield from pool.imap(_outcome, targets, max(1, len(targets) // (jobs * 8)))
+        yield from pool.imap(_outcome, targets, max(1, min(4, len(targets) // (jobs * 32))))
 
 
 _worker: list[Checker] = []

@@ -77,8 +77,9 @@ class CGTOutline:
         """Before the first header."""
         return State()
 
-    def reading(self, state: State) -> Reading:
+    def reading(self, state: Hashable) -> Reading:
         """As the last header says."""
+        assert isinstance(state, State)
         return state.reading
 
     def step(self, state: State, depth: int, facts: frozenset[str], read: Callable[[Reading], LineNode]) -> Step:

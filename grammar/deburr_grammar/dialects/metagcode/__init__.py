@@ -19,10 +19,12 @@ DIALECT = Dialect(
     comments=(("(", ")"), (";", "")),
     frame="{}\n",
     evidence=(
-        Evidence(r"(?aim)^[ \t]*#(?:end)?(?:if|loop)[0-9]+(?=[ \t\r]|$)", "a block directive such as `#IF1` or `#LOOP1`"),
+        Evidence(
+            r"(?aim)^[ \t]*#(?:end)?(?:if|loop)[0-9]+(?=[ \t\r]|$)", "a block directive such as `#IF1` or `#LOOP1`"
+        ),
         Evidence(r"(?aim)^[ \t]*#file[ \t]+[^ \t\n|=]", "a snippet reference `#FILE name`"),
         Evidence(
-            r"(?m)(?<![A-Za-z0-9_|<])[A-Za-z][-+]?\|[ \t]*[A-Za-z_][^|\n]*\|",
+            r"(?m)(?<![A-Za-z0-9_|<])[A-Za-z][-+]?\|[ \t]*[A-Za-z_][^|\n]*\|(?![A-Za-z0-9_])",
             "a word whose value is a variable, such as `X|name|`",
         ),
     ),

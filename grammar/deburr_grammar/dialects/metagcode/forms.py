@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 from decimal import Decimal
+from functools import lru_cache
 from typing import NamedTuple
 
 from deburr_grammar.line import LineNode
@@ -39,12 +40,11 @@ def groups(header: Node) -> list[Group]:
     return [Group(*tokens(group)) for group in header.nodes()]
 
 
-def counters(line: LineNode) -> Iterator[tuple[str, Token]]:
+@lru_cache(maxsize=4096)
+def counters(line: LineNode) -> tuple[tuple[str, Token], ...]:
     """The names that a `#LOOP` counts with their tokens; none if its header is not complete."""
-    for header in line.find("header"):
-        for group in groups(header):
-            if group.counter.kind == "VARIABLE":
-                yield name(line.text[group.counter.start : group.counter.end]), group.counter
+    counted = [group.counter for header in line.find("header") for group in groups(header)]
+    return tuple((name(line.text[each.start : each.end]), each) for each in counted if each.kind == "VARIABLE")
 
 
 def name(reference: str) -> str:

@@ -34,7 +34,7 @@ DIALECT = Dialect(
     settings=(
         Setting("profile", Kind.CHOICE, "linuxcnc", "whose manual decides where the two differ", ("linuxcnc", "smithy")),
         Setting("compare", Kind.CHOICE, "1e-4", "how near two values must be to be EQ", ("1e-4", "1e-6")),
-        Setting("subroutine-path", Kind.LIST, (), "folders in which called subroutine files are looked for"),
+        Setting("subroutine-path", Kind.PATHS, (), "folders in which called subroutine files are looked for"),
         Setting("parameters", Kind.PATH, "", "a .var file with stored parameters"),
         Setting("axes", Kind.TEXT, "", "letters of the machine's axes; empty: XYZABCUVW, in the smithy profile XYZABC"),
         Setting("tool-table", Kind.PATH, "", "a tool table"),

@@ -16,14 +16,14 @@ DIALECT = Dialect(
     readings=READINGS,
     folding=Folding(
         # The numbers of G and M codes decide what a word is (G25XYZ, G26, M30) and which codes contradict each other.
-        protect=r"(?<![A-Za-z])[GgMm][ \t]*[0-9]+(?:[.,][0-9]+)?|[Ll]254(?![0-9])",
+        protect=r"[GgMm][ \t]*[0-9]+(?:[.,][0-9]+)?|[Ll]254(?![0-9])",
         # A `(` opens a comment for sure at the start of a line and behind a number; elsewhere it may be a term of an
-        # expression. A `;` ends the line for sure where neither `!` nor `)` follows.
+        # expression. A `;` ends the line for sure where neither `!` nor a parenthesis follows.
         inert=(
             r"(?m:^)([ \t]*\()[^()\n]*(\))"
             r"|(?<=[0-9.,)])(\()[^()\n]*(\))"
             r"|(?<=[0-9.,)][ \t])(\()[^()\n]*(\))"
-            r"|(;)[^!)\n]*(?![^\n])"
+            r"|(;)[^!()\n]*(?![^\n])"
         ),
     ),
     outline=Z32Outline(),

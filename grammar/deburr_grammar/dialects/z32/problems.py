@@ -61,7 +61,9 @@ def diagnose(fault: SyntaxFault) -> Problem:
     kind, start, end = _comment(fault) or _function(fault) or _expression(fault) or _relation(fault) or _plain(fault)
     start = min(start, max(len(fault.text) - 1, 0))
     words = (WORDS[name] for name in WORDS if name in fault.expected)
-    return Problem(kind, start, min(max(end, start + 1), len(fault.text)), tuple(dict.fromkeys(words)) if kind in _TELLING else ())
+    return Problem(
+        kind, start, min(max(end, start + 1), len(fault.text)), tuple(dict.fromkeys(words)) if kind in _TELLING else ()
+    )
 
 
 def _comment(fault: SyntaxFault) -> Place | None:

@@ -78,14 +78,22 @@ def _underlined(text: str, start: int, end: int) -> tuple[str, str]:
     """The line as it is shown, cut to what fits, and the carets below it."""
     first = max(0, start - _BEFORE) if len(text) > WIDEST else 0
     cut = text[first : first + WIDEST]
+    end = min(end, first + WIDEST)
+    shown, under = _cells_of(cut, start - first, end - first)
+    dots = ("..." if first else "", "..." if first + WIDEST < len(text) else "")
+    return f"{dots[0]}{shown}{dots[1]}", f"{' ' * len(dots[0])}{under}".rstrip()
+
+
+def _cells_of(cut: str, start: int, end: int) -> tuple[str, str]:
+    """The text as a terminal shows it, and carets from one of its columns to another, which may lie behind it."""
+    if cut.isascii() and cut.isprintable():
+        return cut, " " * start + "^" * (end - start)
     shown, under = "", ""
-    for col, char in enumerate(cut, first):
+    for col, char in enumerate(cut):
         cell = " " * (_TAB - len(under) % _TAB) if char == "\t" else picture(char)
         shown += cell
         under += ("^" if start <= col < end else " ") * (len(cell) if char == "\t" else _cells(char))
-    under += "^" * max(0, min(end, first + WIDEST) - max(start, first + len(cut)))
-    dots = ("..." if first else "", "..." if first + WIDEST < len(text) else "")
-    return f"{dots[0]}{shown}{dots[1]}", f"{' ' * len(dots[0])}{under}".rstrip()
+    return shown, under + "^" * (end - max(start, len(cut)))
 
 
 def _cells(char: str) -> int:

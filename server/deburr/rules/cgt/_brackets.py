@@ -1,9 +1,10 @@
 """How the words of a conditional bracket are tested (spec/cgt.md §5.2, §11)."""
 
+from bisect import bisect_left
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from deburr.rules.cgt._template import Body, Item, Section, Template
+from deburr.rules.cgt._template import Body, Item, Template
 from deburr_grammar.text import Span
 
 
@@ -31,14 +32,14 @@ def tests_of(body: Body) -> Tests:
     return Tests(tuple(tested), tuple(excluded), tuple(early))
 
 
-def read_brackets(template: Template) -> Iterator[tuple[Body, Section]]:
+def read_brackets(template: Template) -> Iterator[Body]:
     """Every conditional bracket that is closed and holds no line with a syntax fault."""
-    for section in template.sections:
-        for body in section.body.bodies():
-            if body.kind == "bracket" and body.opener and body.closer:
-                lines = range(body.opener.line, body.closer.line + 1)
-                if template.faulty_lines.isdisjoint(lines):
-                    yield body, section
+    faulty = sorted(template.faulty_lines)
+    for body in template.bodies:
+        if body.kind == "bracket" and body.opener and body.closer:
+            at = bisect_left(faulty, body.opener.line)
+            if at == len(faulty) or faulty[at] > body.closer.line:
+                yield body
 
 
 def extent(body: Body) -> Span:

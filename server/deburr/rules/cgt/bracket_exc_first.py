@@ -26,7 +26,7 @@ from deburr.rules.cgt._template import template_of
 @rule(Severity.WARNING, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the operator."""
-    for body, _ in read_brackets(template_of(analysis)):
+    for body in read_brackets(template_of(analysis)):
         tests = tests_of(body)
         if tests.excluded and not tests.tested:
             operator = next(item for item in tests.early if item.name == "EXC")

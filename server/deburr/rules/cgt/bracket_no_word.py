@@ -45,7 +45,7 @@ from deburr.rules.cgt._template import template_of
 @rule(Severity.WARNING, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the bracket."""
-    for body, _ in read_brackets(template_of(analysis)):
+    for body in read_brackets(template_of(analysis)):
         tests = tests_of(body)
         if not tests.tested and not tests.excluded:
             assert body.opener

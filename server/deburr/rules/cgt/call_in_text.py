@@ -39,7 +39,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import Body, Item, template_of
+from deburr.rules.cgt._template import DEEPEST, Body, Item, template_of
 
 
 @rule(Severity.WARNING, Whole())
@@ -69,7 +69,7 @@ def _walk(body: Body, collected: bool, found: list[Item]) -> bool:
         if isinstance(part, Body):
             before = entry if part.kind == "else" else collected
             entry = collected
-            collected = _walk(part, before, found) or collected
+            collected = (part.depth <= DEEPEST and _walk(part, before, found)) or collected
             line = part.closer.line if part.closer else line
         elif part.kind == "call" and part.name == "CALL":
             found += [part] if collected else []

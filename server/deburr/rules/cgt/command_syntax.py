@@ -61,13 +61,18 @@ Good:
     #SETBLK(0)#GETBLK(0)
 """
 
+import re
 from collections.abc import Iterator
 
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
+from deburr.rules.cgt._symbols import commands
 from deburr_grammar.problem import Problem
 
 
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report what does not fit."""
-    yield Report(whole(problem), f"`{line.said(problem)}` is no complete command{expected(problem)}")
+    said = line.said(problem)
+    command = re.match("#([A-Za-z]+)", said)
+    what = "is no complete command" if command and command[1].upper() in commands() else "does not fit into the command"
+    yield Report(whole(problem), f"`{said}` {what}{expected(problem)}")

@@ -31,7 +31,7 @@ from deburr.rules.cgt._template import template_of
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the first text of each line."""
     seen = set[int]()
-    for item, section, _ in template_of(analysis).items():
+    for item, section, _ in template_of(analysis).items:
         if section.reading == "declare" and item.printed and item.line not in seen:
             seen.add(item.line)
             yield Report(item.span, f"`{item.text.strip()}` stands in `@DECLARE`, where nothing is output", item.line)

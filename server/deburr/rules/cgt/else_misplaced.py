@@ -51,11 +51,10 @@ from deburr.rules.cgt._template import Body, Item, template_of
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the command."""
     template = template_of(analysis)
-    for section in template.sections:
-        for body in section.body.bodies():
-            for at, part in enumerate(body.parts):
-                if isinstance(part, Item) and part.kind == "else" and part.line not in template.faulty_lines:
-                    yield from _of(part, body.parts[at - 1] if at else None, body.parts[at + 1 : at + 2])
+    for item, _, body in template.of("else"):
+        if item.line not in template.faulty_lines:
+            at = body.parts.index(item)
+            yield from _of(item, body.parts[at - 1] if at else None, body.parts[at + 1 : at + 2])
 
 
 def _of(item: Item, before: Item | Body | None, behind: list[Item | Body]) -> Iterator[Report]:

@@ -48,8 +48,8 @@ from deburr_grammar.text import Span
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the target."""
     template = template_of(analysis)
-    for item, _, _ in template.items():
-        if item.kind == "eval" and (token := _no_word(item)) is not None:
+    for item, _, _ in template.of("eval"):
+        if (token := _no_word(item)) is not None:
             said = item.text[token.start - item.start : token.end - item.start]
             hint = f"; did you mean `#{said}`?" if template.symbols.find(said) else ""
             yield Report(token, f"`{said}` is no word, so nothing can be stored in it{hint}", item.line)

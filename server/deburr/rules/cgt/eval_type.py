@@ -62,10 +62,10 @@ _BEHIND = {"eval": "EQUAL", "macro": "EQUAL", "returned": "OPEN"}
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the value."""
     template = template_of(analysis)
-    texts = {line: node.text for line, node in template.lines}
-    for item, _, _ in template.items():
-        if item.kind in _BEHIND and (is_text := _wants_text(item, template.symbols, texts[item.line])) is not None:
-            yield from _of(item, is_text, template.symbols, texts[item.line])
+    for item, _, _ in template.of(*_BEHIND):
+        text = template.text(item.line)
+        if (is_text := _wants_text(item, template.symbols, text)) is not None:
+            yield from _of(item, is_text, template.symbols, text)
 
 
 def _wants_text(item: Item, symbols: Symbols, text: str) -> bool | None:

@@ -32,12 +32,7 @@ def check(analysis: Analysis) -> Iterator[Report]:
     """Report the command."""
     template = template_of(analysis)
     called = {target(call)[0] for call, _ in template.calls()}
-    for item, section, _ in template.items():
-        if (
-            item.kind == "exit"
-            and item.name == "EXITC"
-            and section.name not in called
-            and not section.name.startswith("$")
-        ):
+    for item, section, _ in template.of("exit"):
+        if item.name == "EXITC" and section.name not in called and not section.name.startswith("$"):
             message = f"nothing calls `@{section.name}`, so `{item.text}` ends it as `#EXIT` does; write `#EXIT`"
             yield Report(item.span, message, item.line)

@@ -22,25 +22,24 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.arithmetic.cgt import constant
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import Item, template_of
+from deburr.rules.cgt._template import Item, Template, template_of
 
 
 @rule(Severity.WARNING, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the command."""
     template = template_of(analysis)
-    texts = {line: node.text for line, node in template.lines}
-    blocks = [item for item, _, _ in template.items() if item.kind == "block"]
-    marked = {_number(item, texts) for item in blocks if item.name == "SETBLK"}
+    blocks = [item for item, _, _ in template.of("block")]
+    marked = {_number(item, template) for item in blocks if item.name == "SETBLK"}
     for item in blocks:
-        number = _number(item, texts)
+        number = _number(item, template)
         if item.name == "GETBLK" and number is not None and not marked & {number, None}:
             yield Report(
                 item.span, f"no `#SETBLK({number:g})` marks a block, so `{item.text}` has no number", item.line
             )
 
 
-def _number(item: Item, texts: dict[int, str]) -> float | None:
+def _number(item: Item, template: Template) -> float | None:
     assert item.node is not None
-    value = constant(texts[item.line], item.node.children[2])
+    value = constant(template.text(item.line), item.node.children[2])
     return value if isinstance(value, float) else None

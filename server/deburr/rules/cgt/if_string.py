@@ -39,8 +39,9 @@ from deburr_grammar.text import Span
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the text."""
     template = template_of(analysis)
-    for line, node in template.lines:
-        for tests in node.find("tests"):
-            for part in no_numbers(template.symbols, node.text, tests):
-                said = node.text[part.start : part.end]
-                yield Report(Span(part.start, part.end), f"`{said}` is a text; compare it with `#IFSTR`", line)
+    for item, _, _ in template.of("if"):
+        tests = item.node.node("tests") if item.node else None
+        text = template.text(item.line)
+        for part in no_numbers(template.symbols, text, tests) if tests else ():
+            message = f"`{text[part.start : part.end]}` is a text; compare it with `#IFSTR`"
+            yield Report(Span(part.start, part.end), message, item.line)

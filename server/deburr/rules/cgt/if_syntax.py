@@ -49,4 +49,6 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report what does not fit."""
-    yield Report(whole(problem), f"`{line.said(problem)}` is no complete test{expected(problem)}")
+    said = line.said(problem)
+    what = "is no complete test" if said.upper().startswith("#IF") else "does not fit into the test"
+    yield Report(whole(problem), f"`{said}` {what}{expected(problem)}")

@@ -24,10 +24,9 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import Body, template_of
+from deburr.rules.cgt._template import DEEPEST, template_of
 from deburr_grammar.text import Span
 
-DEEPEST = 32
 MOST_PASSES = 100_000
 
 
@@ -35,28 +34,15 @@ MOST_PASSES = 100_000
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the bracket that is too deep, and the count."""
     template = template_of(analysis)
-    for section in template.sections:
-        for body in _too_deep(section.body):
-            if body.opener:
-                yield Report(
-                    body.opener.span,
-                    f"this bracket stands {DEEPEST + 1} deep; {DEEPEST} are the limit",
-                    body.opener.line,
-                )
-    for line, node in template.lines:
-        for repeat in node.find("repeat"):
-            count = repeat.children[2]
-            if count.kind == "NUMBER" and float(said := node.text[count.start : count.end]) > MOST_PASSES:
-                yield Report(
-                    Span(count.start, count.end), f"`{said}` passes are too many; {MOST_PASSES} are the limit", line
-                )
-
-
-def _too_deep(body: Body) -> Iterator[Body]:
-    waiting = [(body, 0)]
-    while waiting:
-        inner, depth = waiting.pop()
-        if depth > DEEPEST:
-            yield inner
-        else:
-            waiting += [(part, depth + 1) for part in inner.parts if isinstance(part, Body)]
+    for body in template.bodies:
+        # Deeper ones say nothing new.
+        if body.opener and body.depth == DEEPEST + 1:
+            message = f"this bracket stands {DEEPEST + 1} deep; {DEEPEST} are the limit"
+            yield Report(body.opener.span, message, body.opener.line)
+    for item, _, _ in template.of("repeat"):
+        assert item.node is not None
+        count = item.node.children[2]
+        said = template.text(item.line)[count.start : count.end]
+        if count.kind == "NUMBER" and float(said) > MOST_PASSES:
+            message = f"`{said}` passes are too many; {MOST_PASSES} are the limit"
+            yield Report(Span(count.start, count.end), message, item.line)

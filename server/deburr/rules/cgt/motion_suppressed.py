@@ -37,9 +37,9 @@ from deburr.rules.cgt._template import Body, Item, template_of
 @rule(Severity.WARNING, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the position."""
-    for item, _, around in template_of(analysis).items():
-        if item.kind == "word" and item.name in POSITIONS:
-            holder = next((found for body in around[:-1] if (found := _holds(body, item.name))), None)
+    for item, _, body in template_of(analysis).of("word"):
+        if item.name in POSITIONS:
+            holder = next((found for outer in body.around() if (found := _holds(outer, item.name))), None)
             if holder is not None:
                 message = f"a changed `{item.text}` is not output while `{holder.text}` stays the same; give it a bracket of its own"
                 note = Note(holder.line, holder.span, f"only a change of `{holder.text}` opens the outer bracket")

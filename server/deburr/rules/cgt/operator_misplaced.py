@@ -36,10 +36,8 @@ from deburr.rules.cgt._template import Body, template_of
 @rule(Severity.ERROR, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the operator."""
-    template = template_of(analysis)
-    for section in template.sections:
-        for body in section.body.bodies():
-            yield from _in(body)
+    for body in dict.fromkeys(placed.body for placed in template_of(analysis).of("operator")):
+        yield from _in(body)
 
 
 def _in(body: Body) -> Iterator[Report]:

@@ -36,7 +36,7 @@ from deburr.rules.cgt._template import template_of
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the command."""
     template = template_of(analysis)
-    heads = {id(body.head) for section in template.sections for body in section.body.bodies() if body.head}
-    for item, _, _ in template.items():
-        if item.kind == "repeat" and id(item) not in heads and item.line not in template.faulty_lines:
+    heads = {id(body.head) for body in template.bodies if body.head}
+    for item, _, _ in template.of("repeat"):
+        if id(item) not in heads and item.line not in template.faulty_lines:
             yield Report(item.span, f"`{item.text}` repeats nothing; a body `<...>` must follow", item.line)

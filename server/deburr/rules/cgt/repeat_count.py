@@ -37,13 +37,13 @@ from deburr_grammar.tree import Node, Token
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the count."""
     template = template_of(analysis)
-    for line, node in template.lines:
-        for repeat in node.find("repeat"):
-            count = repeat.children[2]
-            if not _counts(template.symbols, node.text, count):
-                said = node.text[count.start : count.end]
-                message = f"`{said}` is no count; a whole number from 0 on, or a word that holds one, is needed"
-                yield Report(Span(count.start, count.end), message, line)
+    for item, _, _ in template.of("repeat"):
+        assert item.node is not None
+        text, count = template.text(item.line), item.node.children[2]
+        if not _counts(template.symbols, text, count):
+            said = text[count.start : count.end]
+            message = f"`{said}` is no count; a whole number from 0 on, or a word that holds one, is needed"
+            yield Report(Span(count.start, count.end), message, item.line)
 
 
 def _counts(symbols: Symbols, text: str, count: Node | Token) -> bool:

@@ -27,7 +27,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import Body, Item, Template, template_of
+from deburr.rules.cgt._template import Item, Template, template_of
 
 
 @rule(Severity.INFO, Whole())
@@ -35,9 +35,9 @@ def check(analysis: Analysis) -> Iterator[Report]:
     """Report the first blank of each such line."""
     template = template_of(analysis)
     lines: dict[int, list[tuple[Item, bool]]] = {}
-    for item, section, around in template.items():
+    for item, section, body in template.items:
         if section.reading != "declare" and item.line not in template.faulty_lines:
-            inside = any(body.opener and body.opener.line == item.line for body in around)
+            inside = body.opener is not None and body.opener.line == item.line
             lines.setdefault(item.line, []).append((item, inside))
     openers = _openers(template)
     for line, items in lines.items():
@@ -64,5 +64,4 @@ def _beside_else(items: list[Item], at: int) -> bool:
 
 
 def _openers(template: Template) -> set[int]:
-    bodies: Iterator[Body] = (body for section in template.sections for body in section.body.bodies())
-    return {body.opener.line for body in bodies if body.opener}
+    return {body.opener.line for body in template.bodies if body.opener}

@@ -44,16 +44,15 @@ from deburr_grammar.text import Span
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the row number."""
     template = template_of(analysis)
-    texts = {line: node.text for line, node in template.lines}
-    for item, _, _ in template.items():
-        section = template.by_name.get(target(item)[0]) if item.kind == "lookup" else None
+    for item, _, _ in template.of("lookup"):
+        section = template.by_name.get(target(item)[0])
         if section is None or not section.is_table:
             continue
         assert item.node is not None
         index = item.node.children[-2]
-        value = constant(texts[item.line], index)
+        value = constant(template.text(item.line), index)
         if isinstance(value, float) and value not in range(len(section.rows)):
-            said = texts[item.line][index.start : index.end]
+            said = template.text(item.line)[index.start : index.end]
             rows = f"rows 0 to {len(section.rows) - 1}" if section.rows else "no rows"
             message = f"`@{section.name}` has no row `{said}`; it has {rows}"
             yield Report(Span(index.start, index.end), message, item.line)

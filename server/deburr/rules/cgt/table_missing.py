@@ -52,8 +52,8 @@ def check(analysis: Analysis) -> Iterator[Report]:
     """Report the name."""
     template = template_of(analysis)
     tables = {section.name for section in template.sections if section.is_table} | template.machine_tables
-    for item, _, _ in template.items():
-        if item.kind == "lookup" and (named := target(item))[0] not in tables:
+    for item, _, _ in template.of("lookup"):
+        if (named := target(item))[0] not in tables:
             hint = similar_section(named[0], {section.name for section in template.sections})
             yield Report(named[1], f"there is no table `@{named[0]}`, so nothing is output{hint}", item.line)
     for each in template.declarations:

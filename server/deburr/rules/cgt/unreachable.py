@@ -38,9 +38,8 @@ from deburr.rules.cgt._template import Body, Item, template_of
 @rule(Severity.WARNING, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the first thing behind the command."""
-    for section in template_of(analysis).sections:
-        for body in section.body.bodies():
-            yield from _in(body)
+    for body in template_of(analysis).bodies:
+        yield from _in(body)
 
 
 def _in(body: Body) -> Iterator[Report]:

@@ -22,6 +22,7 @@ Good:
     #EVAL(#V1=sqr(2))
 """
 
+import re
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
@@ -30,6 +31,7 @@ from deburr.rules.cgt._template import template_of
 from deburr_grammar.text import Span
 from deburr_grammar.tree import tokens
 
+_LOWER = re.compile("#[A-Za-z]*[a-z]")
 _NOT_COMMANDS = ("WORD", "TEXT", "COMMENT", "CHARS", "STRING", "TAG", "LABEL", "ROW_TEXT")
 
 
@@ -42,7 +44,7 @@ def check(analysis: Analysis) -> Iterator[Report]:
         if use.role not in ("declared", "macro") and use.spelled.kind == "word" and said != name:
             yield Report(use.span, f"`#{said}` is the system word `#{name}`; write it in capitals", use.line)
     for line, node in template.lines:
-        for token in tokens(node.tree) if node.reading.start == "template" else ():
+        for token in tokens(node.tree) if _LOWER.search(node.text) and node.reading.start == "template" else ():
             said = node.text[token.start : token.end]
             if token.kind not in _NOT_COMMANDS and said.startswith("#") and said != said.upper():
                 message = f"`{said}` is the command `{said.upper()}`; write it in capitals"

@@ -9,6 +9,8 @@ Bad:
 
     {(}deburr: allow {dialect}.line-too-lonk{)}
                      ^^^^^^^^^^^^^^^^^^^^^^^
+    {(}deburr: allow -- the feed is set by hand{)}
+       ^^^^^^^^^^^^^
 
 Good:
 
@@ -23,4 +25,5 @@ from deburr.rule import Notice, Noticed, Report, Severity, rule
 @rule(Severity.WARNING, Noticed())
 def check(notice: Notice) -> Iterator[Report]:
     """Report the name."""
-    yield Report(notice.span, f"`{notice.said}` is no rule of this language; nothing is allowed by it", notice.line)
+    said = f"`{notice.said}` is no rule of this language" if notice.said else "no rule is named"
+    yield Report(notice.span, f"{said}; nothing is allowed by it", notice.line)

@@ -6,7 +6,7 @@ out once a file (`spec/metagcode.md` §4, §5.1).
 """
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -148,7 +148,7 @@ class Gathered:
         else:
             found = reduction(self.brackets).all_faults()
         unknown = [line for line, effect in self.effects.items() if effect is None or not effect.sure]
-        return [fault for fault in found if not _explained(fault, unknown)]
+        return list(_once(fault for fault in found if not _explained(fault, unknown)))
 
     def visits(self) -> Iterator[Visit]:
         """Every bracket in order. The blocks around it are only to be looked at before the next one is asked for."""
@@ -267,6 +267,16 @@ class _Sum:
 def ties(opener: Bracket, closer: Bracket) -> bool:
     """Whether two ends belong together; a missing label fits any."""
     return opener.kind == closer.kind and (opener.label == closer.label or None in (opener.label, closer.label))
+
+
+def _once(faults: Iterable[StructureFault]) -> Iterator[StructureFault]:
+    """The faults without those that a snippet repeats: one of a sort on a `#FILE` line says it."""
+    seen: set[tuple[Fault, int]] = set()
+    for fault in faults:
+        key = (fault.fault, fault.at.line)
+        if not isinstance(fault.at.bracket, Foreign) or key not in seen:
+            yield fault
+            seen.add(key)
 
 
 def _explained(fault: StructureFault, unknown: Sequence[int]) -> bool:

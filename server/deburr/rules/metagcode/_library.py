@@ -189,12 +189,13 @@ class Library:
             self.inside = self.file.startswith(f"{root}/")
             return root
         folder = posixpath.dirname(self.file)
+        beside = _joined(folder, setting)
         parts, tail = folder.split("/"), [part for part in setting.split("/") if part not in ("", ".", "..")]
         for stop in range(len(parts), len(tail) - 1, -1) if tail else ():
-            if parts[stop - len(tail) : stop] == tail:
+            if parts[stop - len(tail) : stop] == tail and not self._names(beside):
                 self.inside = True
                 return "/".join(parts[:stop])
-        return _joined(folder, setting)
+        return beside
 
 
 def _split(name: str) -> list[str]:

@@ -27,7 +27,7 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.INFO, Nodes(("condition",)))
+@rule(Severity.INFO, Nodes(("condition",), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the two values."""
     left, _, right, type_ = condition(node)

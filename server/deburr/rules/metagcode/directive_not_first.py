@@ -27,7 +27,7 @@ from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.WARNING, Nodes(("embedded",)))
+@rule(Severity.WARNING, Nodes(("embedded",), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the keyword."""
     yield Report(

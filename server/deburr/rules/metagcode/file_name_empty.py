@@ -22,7 +22,7 @@ from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.ERROR, Nodes(("file",)))
+@rule(Severity.ERROR, Nodes(("file",), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the keyword."""
     if node.find("NAME") is None:

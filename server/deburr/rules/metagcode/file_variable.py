@@ -28,7 +28,7 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.ERROR, Nodes(("file",)))
+@rule(Severity.ERROR, Nodes(("file",), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the name."""
     name = node.find("NAME")

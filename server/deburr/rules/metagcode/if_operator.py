@@ -40,7 +40,7 @@ _SIGNS = {
 }
 
 
-@rule(Severity.ERROR, Nodes(("condition",)))
+@rule(Severity.ERROR, Nodes(("condition",), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report what stands in the operator's place."""
     operator = condition(node).operator

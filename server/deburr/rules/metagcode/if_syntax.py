@@ -50,7 +50,7 @@ from deburr_grammar.tree import Node
 _ITEMS = ("a value", "an operator", "a second value", "a type")
 
 
-@rule(Severity.ERROR, Nodes(("if", "endif")))
+@rule(Severity.ERROR, Nodes(("if", "endif"), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report what does not fit."""
     found = surplus(line, node) if node.kind == "endif" else misfit(line, node, "condition", _ITEMS)

@@ -31,7 +31,7 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.ERROR, Nodes(("condition",)))
+@rule(Severity.ERROR, Nodes(("condition",), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report what stands in the type's place."""
     type_ = condition(node).type

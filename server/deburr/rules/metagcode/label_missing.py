@@ -35,7 +35,7 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.ERROR, Nodes(("if", "endif", "loop", "endloop")))
+@rule(Severity.ERROR, Nodes(("if", "endif", "loop", "endloop"), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the keyword."""
     if node.find("LABEL") is None:

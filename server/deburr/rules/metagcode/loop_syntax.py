@@ -41,7 +41,7 @@ from deburr_grammar.tree import Node
 _ITEMS = ("a variable", "its maxStep", "its step type")
 
 
-@rule(Severity.ERROR, Nodes(("loop", "endloop")))
+@rule(Severity.ERROR, Nodes(("loop", "endloop"), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report what does not fit."""
     found = surplus(line, node) if node.kind == "endloop" else misfit(line, node, "header", _ITEMS)

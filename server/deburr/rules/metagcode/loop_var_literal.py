@@ -30,7 +30,7 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.ERROR, Nodes(("header",)))
+@rule(Severity.ERROR, Nodes(("header",), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report each bare word."""
     for group in groups(node):

@@ -59,8 +59,9 @@ def check(analysis: Analysis) -> Iterator[Report]:
         if bracket.kind == SNIPPET:
             yield from _brought(blocks, placed, around)
         elif bracket.kind == "loop" and bracket.role is Role.OPEN and not isinstance(bracket, Foreign):
-            for name, token in counters(analysis.document.node(placed.line)):
-                if outer := _counting(blocks, name, around):
+            outers = {name: outer for name in blocks.counts(placed) if (outer := _counting(blocks, name, around))}
+            for name, token in counters(analysis.document.node(placed.line)) if outers else ():
+                if outer := outers.get(name):
                     yield Report(Span(token.start, token.end), _message(name), placed.line, (blocks.note(outer),))
 
 

@@ -35,7 +35,7 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
 
-@rule(Severity.ERROR, Nodes(("condition", "header")))
+@rule(Severity.ERROR, Nodes(("condition", "header"), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the values that are no numbers."""
     for value in _values(line, node):

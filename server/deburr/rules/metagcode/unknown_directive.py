@@ -45,7 +45,7 @@ _HINTS = {
 }
 
 
-@rule(Severity.ERROR, Nodes(("unknown",)))
+@rule(Severity.ERROR, Nodes(("unknown",), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the keyword."""
     run = _RUN.match(line.text, node.start)

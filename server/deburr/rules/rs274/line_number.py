@@ -42,11 +42,11 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.ERROR, Syntax(("line_number",)))
+@rule(Severity.ERROR, Syntax(("line_number",), only=("profile", "smithy")))
 def check(line: Line, part: Problem | Node) -> Iterator[Report]:
     """Report the N, or in the smithy profile a number that its manual does not allow."""
     said, place = line.said(part), Span(part.start, part.end)
     if isinstance(part, Problem):
         yield Report(place, f"`{said}`: a line number is `N` and an unsigned number, once, at the start of the line")
-    elif line.settings["profile"] == "smithy" and not re.fullmatch("[0-9]{1,5}", "".join(said[1:].split())):
+    elif not re.fullmatch("[0-9]{1,5}", "".join(said[1:].split())):
         yield Report(place, f"`{said}` is no line number from 0 to 99999")

@@ -24,11 +24,10 @@ _NUMBERED = re.compile(r"[ \t]*/?[ \t]*([Nn][ \t]*([0-9]+(?:[.,][0-9]*)?|[.,][0-
 
 
 class Label(NamedTuple):
-    """A block number: its line, its columns, and whether its block does anything."""
+    """A block number: its line and its columns."""
 
     line: int
     span: Span
-    active: bool
 
 
 class Jump(NamedTuple):
@@ -78,9 +77,9 @@ def _held(analysis: Analysis, piece: Piece) -> Mapping[str, list[int]]:
 def labels(analysis: Analysis, value: float) -> list[Label]:
     """The blocks of that number."""
     return [
-        Label(piece.line + index, span, active)
+        Label(piece.line + index, _span(piece, index))
         for piece in analysis.document.pieces()
-        for index, span, active in _labels(analysis, piece).get(value, ())
+        for index in _labels(analysis, piece).get(value, ())
     ]
 
 
@@ -88,18 +87,24 @@ def all_labels(analysis: Analysis) -> Iterator[tuple[float, Label]]:
     """All block numbers."""
     for piece in analysis.document.pieces():
         for value, places in _labels(analysis, piece).items():
-            yield from ((value, Label(piece.line + index, span, active)) for index, span, active in places)
+            yield from ((value, Label(piece.line + index, _span(piece, index))) for index in places)
 
 
-def _labels(analysis: Analysis, piece: Piece) -> Mapping[float, list[tuple[int, Span, bool]]]:
+def _span(piece: Piece, index: int) -> Span:
+    match = _NUMBERED.match(piece.chunk.line(index))
+    assert match is not None
+    return Span(*match.span(1))
+
+
+def _labels(analysis: Analysis, piece: Piece) -> Mapping[float, list[int]]:
+    """The indices of a chunk's lines by their block numbers."""
     key = ("z32 labels", analysis.document.key(piece))
-    found: dict[float, list[tuple[int, Span, bool]]] | None = piece.chunk.memo.get(key)
+    found: dict[float, list[int]] | None = piece.chunk.memo.get(key)
     if found is None:
         found = piece.chunk.memo[key] = {}
         for index in _held(analysis, piece).get("nword", ()):
             if match := _NUMBERED.match(piece.chunk.line(index)):
-                active = not BLOCK.isdisjoint(piece.node(index).kinds)
-                found.setdefault(number(match[2]), []).append((index, Span(*match.span(1)), active))
+                found.setdefault(number(match[2]), []).append(index)
     return found
 
 
@@ -173,6 +178,11 @@ def number_of(text: str) -> float | None:
     """The block number of a line; None if it has none."""
     match = _NUMBERED.match(text)
     return number(match[2]) if match else None
+
+
+def is_active(analysis: Analysis, line: int) -> bool:
+    """Whether a line does anything: words or an advanced line."""
+    return not BLOCK.isdisjoint(analysis.document.node(line).kinds)
 
 
 def first_line(analysis: Analysis) -> int | None:

@@ -25,7 +25,7 @@ from deburr.rules.z32._depth import beyond
 DEPTH = 20
 
 
-@rule(Severity.ERROR, Text(r"(?:(?:<|&lt)[^\n<&]*){21}"))
+@rule(Severity.ERROR, Text(r"[<&](?:[^\n<&]*[<&]){20}"))
 def check(line: Line) -> Iterator[Report]:
     """Report each expression that is one too deep."""
     for node in beyond(line.node.tree, ("angle",), DEPTH):

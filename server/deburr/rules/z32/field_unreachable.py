@@ -1,7 +1,8 @@
 """Instruction that never runs.
 
 A jump, a call and EB end the advanced line, and a call comes back to the next block; what
-stands behind them runs only if an IF before them leads past.
+stands behind them runs only if an IF before them leads past. An EB behind a jump or a call is not
+needed and does no harm.
 
 Source: spec/z32.md §6.2
 
@@ -17,6 +18,7 @@ Good:
 
     :1
     !IF HA>1; GOP1! HA=2!
+    !IF HA>1; GOP1; EB! HA=2!
 """
 
 from collections.abc import Iterator
@@ -34,6 +36,8 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         reached, skips = reached or skips, False
         for field in group:
             if not reached:
+                if field.kind == "stop":
+                    continue
                 if stopped:
                     yield Report(whole(field), f"`{line.said(field)}` never runs: `{stopped}` ends the line before it")
                 stopped = ""

@@ -28,7 +28,7 @@ from deburr_grammar.tree import tokens
 DIGITS = 9
 
 
-@rule(Severity.ERROR, Text(r"[0-9][0-9.,]{9}|[.,][0-9]{10}"))
+@rule(Severity.ERROR, Text(r"[0-9][0-9.,]{9}"))
 def check(line: Line) -> Iterator[Report]:
     """Report the numbers."""
     for token in tokens(line.node.tree):

@@ -25,7 +25,7 @@ from deburr.rules.z32._depth import beyond
 DEPTH = 10
 
 
-@rule(Severity.ERROR, Text(r"(?:\([^\n(]*){11}"))
+@rule(Severity.ERROR, Text(r"\((?:[^\n(]*\(){10}"))
 def check(line: Line) -> Iterator[Report]:
     """Report each parenthesis that is one too deep."""
     for node in beyond(line.node.tree, ("group", "function"), DEPTH):

@@ -1,7 +1,8 @@
 """Call of a program that there is not.
 
 GOPn runs program n of the memory: a file `n.*` in the folder of the setting `cmos-dir`, or a
-section `:n` of a file there. Where no folder is set, it is a section of the same file.
+section `:n` of a file there. Where no folder is set, it is a section of the same file, if that
+has any.
 
 Source: spec/z32.md §6.4, §11
 
@@ -41,7 +42,7 @@ from deburr_grammar.text import Span
 
 @rule(Severity.ERROR, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
-    """Report the number. A folder that is empty or cannot be seen decides nothing."""
+    """Report the number. A folder that is empty or cannot be seen, and a file without sections, decide nothing."""
     calls = list(lines(analysis, "call"))
     folder = analysis.settings["cmos-dir"] if calls else ""
     for at, node in calls:
@@ -50,7 +51,7 @@ def check(analysis: Analysis) -> Iterator[Report]:
             number, part = called(line, call), call.children[1]
             store = f"{folder}-temp" if folder and call.children[0].kind == "GOS" else folder
             known = programs(analysis.host, beside(analysis, store)) if store else sections_in(analysis.document.text)
-            if number is not None and number not in known and (known or not store):
+            if number is not None and known and number not in known:
                 place = f"in `{store}`" if store else "in this file (setting `cmos-dir` names a folder)"
                 yield Report(
                     Span(part.start, part.end),

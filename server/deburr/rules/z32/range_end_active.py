@@ -25,7 +25,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.z32._program import jumps, labels
+from deburr.rules.z32._program import is_active, jumps, labels
 from deburr.rules.z32._values import shown
 
 
@@ -38,7 +38,7 @@ def check(analysis: Analysis) -> Iterator[Report]:
             continue
         seen.add(jump.end)
         for place in labels(analysis, jump.end):
-            if place.active:
+            if is_active(analysis, place.line):
                 message = f"block N{shown(jump.end)} ends a range and is run before the return; a control may skip it, use an empty block"
                 yield Report(
                     place.span, message, place.line, (Note(jump.line, jump.end_span, "the jump that returns there"),)

@@ -1,0 +1,73 @@
+"""The same of tree-sitter (C) with tree-sitter-gcode, and of LinuxCNC's own interpreter. Each function runs in a process of its own."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from random import Random
+from statistics import median
+from tempfile import TemporaryDirectory
+from time import perf_counter
+
+from tree_sitter import Language, Parser
+from tree_sitter_gcode import language
+
+from benchmarks.measure import growth, seconds
+from benchmarks.ours import KEYSTROKES, SEED, Keystroke, read
+
+
+def parser() -> Parser:
+    """A parser of G-code."""
+    return Parser(Language(language()))
+
+
+def full(path: str) -> float:
+    """Seconds of a full parse."""
+    text, parses = read(path).encode(), parser()
+    return seconds(lambda: parses.parse(text))
+
+
+def memory(path: str) -> int:
+    """Bytes beyond the text of a parsed program."""
+    text, parses = read(path).encode(), parser()
+    return growth(lambda: parses.parse(text))
+
+
+def keystrokes(path: str, places: int) -> dict[str, float]:
+    """The median seconds of an incremental parse after each keystroke at random places."""
+    text, parses = read(path).encode(), parser()
+    tree = parses.parse(text)
+    lines = text.split(b"\n")
+    starts = [0]
+    for line in lines[:-1]:
+        starts.append(starts[-1] + len(line) + 1)
+    found = {}
+    for stroke in KEYSTROKES:
+        random = Random(SEED)
+        taken = []
+        for _ in range(places):
+            line = random.randrange(len(lines) - 1)
+            col = _col(lines[line], stroke)
+            at, new = starts[line] + col, stroke.text.encode()
+            edited = text[:at] + new + text[at:]
+            old = tree.copy()
+            end = (line + new.count(b"\n"), 0 if b"\n" in new else col + len(new))
+            begin = perf_counter()
+            old.edit(at, at, at + len(new), (line, col), (line, col), end)
+            parses.parse(edited, old)
+            taken.append(perf_counter() - begin)
+        found[stroke.name] = median(taken)
+    return found
+
+
+def _col(line: bytes, stroke: Keystroke) -> int:
+    return next((col for col, char in enumerate(line, 1) if char in b"0123456789"), 0) if stroke.in_number else 0
+
+
+def interpreter(path: str) -> float | None:
+    """Seconds in which `rs274` runs a program to its end; None where it is not installed."""
+    command = shutil.which("rs274")
+    if command is None:
+        return None
+    with TemporaryDirectory() as folder:
+        return seconds(lambda: subprocess.run([command, "-g", path], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False))

@@ -1,0 +1,1 @@
+"""Tools of those who work on deburr. Nothing here runs when deburr is used."""

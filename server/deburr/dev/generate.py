@@ -1,0 +1,125 @@
+"""Writes what is derived from the code: the rule pages, and the JSON schema of the configuration.
+
+`python -m deburr.dev.generate` writes them; a test proves them fresh.
+"""
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+from deburr.cli.rule import kind, markdown
+from deburr.rule import rule_names, rules_of
+from deburr.schema import LEVELS, TOP, Free, tables
+from deburr_grammar.dialect import Kind, Setting
+from deburr_grammar.dialects import NAMES, by_name
+
+ROOT = Path(__file__).parents[3]
+PAGES = "docs/rules"
+SCHEMA = "server/deburr/deburr.schema.json"
+
+
+def generated() -> dict[str, str]:
+    """All derived files: path from the repository's root, and content."""
+    found = {f"{PAGES}/{name}.md": pages(name) for name in NAMES}
+    return {f"{PAGES}/README.md": index(), **found, SCHEMA: json.dumps(schema(), indent=2) + "\n"}
+
+
+def stale(root: Path = ROOT) -> list[str]:
+    """The derived files that are not what they should be."""
+    return [name for name, text in generated().items() if _content(root / name) != text]
+
+
+def main() -> int:
+    """Write what is stale and say so."""
+    for name, text in generated().items():
+        path = ROOT / name
+        if _content(path) != text:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8", newline="\n")
+            print(f"wrote {name}")
+    return 0
+
+
+def pages(dialect: str) -> str:
+    """The pages of a dialect's rules."""
+    found = [markdown(rule, dialect).replace("# ", "## ", 1) for rule in rules_of(dialect)]
+    return "\n\n".join([f"# Rules of {by_name(dialect).title}", *found]) + "\n"
+
+
+def index() -> str:
+    """The list of all rules with links to their pages."""
+    parts = [
+        "# Rules\n\nWritten by `python -m deburr.dev.generate` from the rules' own docstrings; `deburr rule NAME` prints the same pages."
+    ]
+    for name in NAMES:
+        rows = [
+            f"| [`{rule.name}`]({name}.md#{_anchor(f'{rule.name} ({kind(rule)})')}) | {kind(rule)} | {rule.summary} |"
+            for rule in rules_of(name)
+        ]
+        parts.append(
+            "\n".join([f"## {by_name(name).title}\n", "| rule | severity | meaning |", "|---|---|---|", *rows])
+        )
+    return "\n\n".join(parts) + "\n"
+
+
+def schema() -> dict[str, Any]:
+    """The JSON schema of `deburr.toml`."""
+    root = _object({setting.name: _value(setting) for setting in TOP}, "")
+    for path, known in tables().items():
+        inside = root
+        for name in path[:-1]:
+            inside = inside["properties"][name]
+        inside["properties"][path[-1]] = _free(path, known) if isinstance(known, Free) else _table(known)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "deburr.toml", **root}
+
+
+def _table(settings: tuple[Setting, ...]) -> dict[str, Any]:
+    return _object({setting.name: _value(setting) for setting in settings}, "")
+
+
+def _free(path: tuple[str, ...], known: Free) -> dict[str, Any]:
+    if path == ("files",):
+        values: dict[str, Any] = {"enum": list(NAMES)}
+    elif path[-1] == "severity":
+        names = [name for dialect in NAMES for name in rule_names(dialect)]
+        return _object({name: {"enum": [*LEVELS, "off"]} for name in names}, known.text)
+    else:
+        values = {"type": "array", "items": {"type": "string"}}
+    return {"type": "object", "description": known.text, "additionalProperties": values}
+
+
+def _object(properties: dict[str, Any], text: str) -> dict[str, Any]:
+    said = {"description": text} if text else {}
+    return {"type": "object", **said, "additionalProperties": False, "properties": properties}
+
+
+def _value(setting: Setting) -> dict[str, Any]:
+    types: dict[Kind, dict[str, Any]] = {
+        Kind.TEXT: {"type": "string"},
+        Kind.PATH: {"type": "string"},
+        Kind.CHOICE: {"enum": list(setting.choices)},
+        Kind.LIST: {"type": "array", "items": {"type": "string"}},
+        Kind.PATHS: {"type": "array", "items": {"type": "string"}},
+        Kind.TABLE: {"type": "object"},
+        Kind.FLAG: {"type": "boolean"},
+    }
+    default = {} if setting.default is None else {"default": _plain(setting.default)}
+    return {"description": setting.text, **types[setting.kind], **default}
+
+
+def _plain(value: Any) -> Any:
+    return list(value) if isinstance(value, tuple) else dict(value) if hasattr(value, "items") else value
+
+
+def _anchor(heading: str) -> str:
+    """The anchor that a heading gets: small letters, signs dropped, blanks as hyphens."""
+    return "".join(char for char in heading.lower().replace(" ", "-") if char.isalnum() or char in "-_")
+
+
+def _content(path: Path) -> str | None:
+    return path.read_text(encoding="utf-8") if path.is_file() else None
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,266 @@
+"""Configuration: which file, what may stand in it, what it does; `deburr config` and `deburr init`."""
+
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from deburr.config import ConfigError, RuleSets
+from deburr.configfile import Configs, line_of, read
+from deburr_grammar.dialects import by_name
+
+FAULTY = "G21 G90 G17\nG0 X[1/0]\nF100\nM2\n"
+ZERO = "rs274.divide-by-zero"
+
+
+def count(shell, *arguments):
+    ran = shell.run("check", "--output-format", "concise", "-q", *arguments)
+    assert ran.code in (0, 1), ran.err
+    return len(ran.out.splitlines())
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "message"),
+    [
+        ("x = ]", ":1:5", "Invalid value"),
+        ("x = [", "", "Invalid value (at end of document)"),
+        ("[check]\nignor = []", ":2", "unknown key `ignor` in [check]; did you mean `ignore`?"),
+        ("chekc = 1", ":1", "unknown key `chekc`; did you mean `check`?"),
+        ("[rs247]", ":1", "unknown key `rs247`; did you mean `rs274`?"),
+        ("[rs274]\n\nprofil = 'smithy'", ":3", "unknown key `profil` in [rs274]; did you mean `profile`?"),
+        (
+            "[rs274]\nprofile = 'smity'",
+            ":2",
+            '`profile` must be "linuxcnc" or "smithy", not "smity"; did you mean `smithy`?',
+        ),
+        ("[rs274]\ncompare = 1e-4", ":2", '`compare` must be "1e-4" or "1e-6", not 0.0001'),
+        ("[rs274]\naxes = 3", ":2", "`axes` must be a text, not a number"),
+        ("[rs274]\nsubroutine-path = 'subs'", ":2", "`subroutine-path` must be a list of texts, not a text"),
+        (
+            "[rs274]\nsubroutine-path = [1]",
+            ":2",
+            "`subroutine-path` must be a list of texts, not a list with something else in it",
+        ),
+        ("[rs274]\nparameters = true", ":2", "`parameters` must be a text, not true or false"),
+        ("rs274 = 3", ":1", "`rs274` must be a table, not a number"),
+        ("check = []", ":1", "`check` must be a table, not a list"),
+        ("check.run = 1", ":1", "`run` must be true or false, not 1"),
+        ("[check]\nfail-on = 'fatal'", ":2", '`fail-on` must be "error", "warning" or "info", not "fatal"'),
+        ("[check]\nselect = 'rs274'", ":2", "`select` must be a list of texts, not a text"),
+        ("[check]\nselect = ['rs274.zero']", ":2", "`rs274.zero` is no rule"),
+        (
+            "[check]\nignore = ['ALL', 'comment-nested']",
+            ":2",
+            "`comment-nested` is no rule; did you mean `rs274.comment-nested`",
+        ),
+        ("[check.severity]\n'rs274' = 'info'", ":2", "`rs274` means several rules, and one is wanted"),
+        (
+            f"[check.severity]\n'{ZERO}' = 'fatal'",
+            ":2",
+            f'`{ZERO}` must be "error", "warning", "info" or "off", not "fatal"',
+        ),
+        ("[check.per-file-ignores]\n'a/**' = 'rs274'", ":2", "`a/**` must be a list of rules, not a text"),
+        ("[check.per-file-ignores]\n'a/**' = ['rs27']", ":2", "`rs27` is no rule; did you mean `rs274`?"),
+        ("[files]\n'*.x' = 'rs27'", ":2", '"rs27" is no dialect; did you mean `rs274`?'),
+        ("[machine]\nlimits = { X = [300, 0] }", ":2", "the limits of `X` must be two numbers, the lower first"),
+        ("[machine.limits]\nx = [0, 1]", ":2", "`x` is no axis letter"),
+        ("extend = 'nothing.toml'", "", "No such file or directory"),
+        ("extend = 'deburr.toml'", "", "`extend` goes round in a circle"),
+        ("extend = 3", ":1", "`extend` must be a text, not a number"),
+    ],
+)
+def test_errors(shell, text, place, message):
+    shell.write("deburr.toml", text)
+    shell.write("a.ngc", FAULTY)
+    ran = shell.run("check")
+    assert (ran.code, ran.out) == (2, "")
+    file = "nothing.toml" if "nothing" in text else "deburr.toml"
+    assert ran.err.startswith(f"deburr: error: {(shell.folder / file).as_posix()}{place}: {message}"), ran.err
+    assert shell.run("explain-dialect", "a.ngc").code == 2
+    assert shell.run("config", "a.ngc").code == 2
+
+
+def test_all_errors_of_a_file_are_said(shell):
+    shell.write("deburr.toml", "[check]\nignor = []\nfail-on = 1\n[rs274]\nprofile = 2\n")
+    shell.write("a.ngc", FAULTY)
+    assert [re.search(r"toml:([0-9]+):", line)[1] for line in shell.run("check").err.splitlines()] == ["2", "3", "5"]
+
+
+def test_a_file_that_is_not_text(shell):
+    shell.write("deburr.toml", b"a = '\xff'\n")
+    shell.write("a.ngc", FAULTY)
+    assert shell.run("check").err.endswith("not UTF-8, as TOML must be\n")
+
+
+def test_the_nearest_file_wins(shell):
+    off = f'ignore = ["{ZERO}"]\n'
+    shell.write("a/b/x.ngc", FAULTY)
+    shell.write("deburr.toml", f"[check]\n{off}")
+    assert count(shell, "a/b/x.ngc") == 0
+    shell.write("a/pyproject.toml", "[project]\nname = 'deburr'\n")
+    assert count(shell, "a/b/x.ngc") == 0
+    shell.write("a/pyproject.toml", "[tool.deburr]\n")
+    assert count(shell, "a/b/x.ngc") == 1
+    shell.write("a/pyproject.toml", f"[tool.deburr.check]\n{off}")
+    assert count(shell, "a/b/x.ngc") == 0
+    shell.write("a/deburr.toml", "")
+    assert count(shell, "a/b/x.ngc") == 1
+    assert count(shell, "a/b/x.ngc", "--config", "deburr.toml") == 0
+
+
+def test_a_pyproject_of_others_is_passed_over(shell):
+    shell.write("x.ngc", FAULTY)
+    for text in ("deburr = [", "tool = 3\n# deburr", "[tool.other]\nname = 'deburr'"):
+        shell.write("pyproject.toml", text)
+        assert count(shell) == 1
+    shell.write("pyproject.toml", "[tool]\ndeburr = 3\n")
+    assert "`tool.deburr` must be a table" in shell.run("check").err
+
+
+def test_extend(shell):
+    shell.write("base.toml", f'extend = "deeper.toml"\n[check]\nignore = ["{ZERO}"]\nfail-on = "info"\n')
+    shell.write("deeper.toml", '[rs274]\nprofile = "smithy"\nparameters = "p.var"\n')
+    shell.write("sub/deburr.toml", 'extend = "../base.toml"\n[check]\nfail-on = "warning"\n')
+    shell.write("sub/x.ngc", FAULTY)
+    assert count(shell) == 0
+    config = read((shell.folder / "sub/deburr.toml").as_posix())
+    assert config.values["check.fail-on"].value == "warning"
+    assert config.values["rs274.profile"] == ("smithy", (shell.folder / "deeper.toml").as_posix())
+    assert config.values["rs274.parameters"].value == (shell.folder / "p.var").as_posix()
+    shell.write("sub/deburr.toml", f'extend = "../base.toml"\n[check]\nselect = ["{ZERO}"]\n')
+    assert count(shell) == 1
+
+
+def test_severity(shell):
+    shell.write("x.ngc", FAULTY)
+    shell.write("deburr.toml", f'[check.severity]\n"{ZERO}" = "off"\n')
+    assert count(shell) == 0
+    assert count(shell, "--select", ZERO) == 1
+    shell.write("child.toml", f'extend = "deburr.toml"\n[check.severity]\n"{ZERO}" = "info"\n')
+    ran = shell.run("check", "--config", "child.toml", "--output-format", "concise")
+    assert ran.code == 0 and f": info {ZERO} " in ran.out
+
+
+def test_per_file_ignores(shell):
+    for name in ("legacy/a.ngc", "legacy/deep/b.ngc", "new/c.ngc"):
+        shell.write(name, FAULTY)
+    shell.write("deburr.toml", f'[check.per-file-ignores]\n"legacy/**" = ["{ZERO}"]\n')
+    assert count(shell) == 1 and count(shell, "legacy") == 0
+    assert count(shell, "legacy", "--select", ZERO) == 0
+    shell.write("deburr.toml", '[check.per-file-ignores]\n"!new/**" = ["rs274.divide"]\n"*.txt" = ["ALL"]\n')
+    assert count(shell) == 1 and count(shell, "legacy") == 0
+
+
+def test_files_name_a_dialect(shell):
+    shell.write("posts/deep/a.post", FAULTY)
+    shell.write("posts/b.txt", FAULTY)
+    assert count(shell) == 0
+    shell.write("deburr.toml", '[files]\n"posts/**/*.post" = "rs274"\n"posts/*.txt" = "rs274"\n')
+    assert count(shell) == 2
+    ran = shell.run("explain-dialect", "posts/b.txt")
+    assert ran == (
+        0,
+        f"posts/b.txt: rs274 (`posts/*.txt` in [files] of {(shell.folder / 'deburr.toml').as_posix()})\n",
+        "",
+    )
+
+
+def test_settings_reach_the_rules_and_paths_start_at_the_file(tmp_path):
+    path = tmp_path / "deburr.toml"
+    path.write_text(
+        '[rs274]\nsubroutine-path = ["subs", "/abs"]\nparameters = "../p.var"\ntool-table = ""\ncompare = "1e-6"\n'
+    )
+    configs = Configs()
+    file = (tmp_path / "sub/x.ngc").as_posix()
+    settings = RuleSets().of(by_name("rs274"), configs.of(file), file).settings
+    assert settings["subroutine-path"] == ((tmp_path / "subs").as_posix(), "/abs")
+    assert settings["parameters"] == (tmp_path.parent / "p.var").as_posix()
+    assert (settings["tool-table"], settings["compare"], settings["profile"]) == ("", "1e-6", "linuxcnc")
+
+
+def test_rule_sets_are_shared_by_files_that_are_configured_alike(tmp_path):
+    (tmp_path / "deburr.toml").write_text('[check.per-file-ignores]\n"a/**" = ["rs274"]\n')
+    configs, rulesets = Configs(), RuleSets()
+    a, b, c = (
+        rulesets.of(by_name("rs274"), configs.of(file), file)
+        for file in ((tmp_path / name).as_posix() for name in ("a/x.ngc", "b/x.ngc", "c/deep/x.ngc"))
+    )
+    assert b is c and a is not b and not a.rules
+
+
+@pytest.mark.parametrize(
+    ("text", "path", "line"),
+    [
+        ('a = 1\n[check]\n"x y" = 2\n[check.severity]\nq = 3', ("check", "severity", "q"), 5),
+        ('a = 1\n[check]\n"x y" = 2\n', ("check", "x y"), 3),
+        ("check.severity.q = 1", ("check", "severity", "q"), 1),
+        ("[check]\nseverity = { q = 1 }", ("check", "severity", "q"), 2),
+        ("[other]\nq = 1", ("check", "q"), None),
+    ],
+)
+def test_line_of(text, path, line):
+    assert line_of(text, path) == line
+
+
+def test_config_command(shell):
+    shell.write(
+        "deburr.toml",
+        f'[check]\nignore = ["{ZERO}"]\n[rs274]\nprofile = "smithy"\n[check.severity]\n"rs274.percent" = "off"\n[files]\n"*.a" = "rs274"\n',
+    )
+    shell.write("a.ngc", FAULTY)
+    origin = (shell.folder / "deburr.toml").as_posix()
+    ran = shell.run("config", "a.ngc")
+    found = ran.out.splitlines()
+    assert ran.code == 0 and found[0] == f"# {origin}"
+    for line in (
+        f'ignore = ["{ZERO}"]  # {origin}',
+        f'profile = "smithy"  # {origin}',
+        'fail-on = "error"  # default',
+        f'"rs274.percent" = "off"  # {origin}',
+        f'"*.a" = "rs274"  # {origin}',
+    ):
+        assert line in found
+    tomllib.loads(ran.out)
+    assert shell.run("config", ".").out == ran.out
+    assert shell.run("config", "nothing.ngc").code == 2
+
+
+def test_config_command_prints_what_it_can_read_back(shell):
+    shell.write(
+        "deburr.toml",
+        '[machine]\nlimits = { X = [0, 300], Y = [-1.5, 2] }\n[files]\n\'a"b\' = "rs274"\n[rs274]\nparameters = "a\\\\b"\n',
+    )
+    read_back = tomllib.loads(shell.run("config", ".").out)
+    assert read_back["machine"]["limits"] == {"X": [0, 300], "Y": [-1.5, 2]}
+    assert read_back["files"] == {'a"b': "rs274"}
+    assert Path(read_back["rs274"]["parameters"]).name.endswith("b")
+
+
+def test_init(shell):
+    ran = shell.run("init")
+    assert ran == (0, "wrote deburr.toml\n", "")
+    text = (shell.folder / "deburr.toml").read_text()
+    assert set(tomllib.loads(text)) >= {"files", "check", "machine", "rs274"}
+    shell.write("a.ngc", FAULTY)
+    assert count(shell) == 1
+    assert shell.run("init") == (2, "", "deburr: error: deburr.toml is there already; it is left as it is\n")
+    assert (shell.folder / "deburr.toml").read_text() == text
+
+
+def test_init_says_what_the_defaults_are(shell):
+    shell.run("init")
+    path = shell.folder / "deburr.toml"
+    uncommented = [line[2:] if re.match(r"# [a-z-]+ = ", line) else line for line in path.read_text().splitlines()]
+    path.write_text("\n".join(line for line in uncommented if not line.startswith(("select =", "extend ="))))
+    config = read(path.as_posix())
+    for dialect in ("rs274",):
+        for setting in by_name(dialect).settings:
+            assert config.get(dialect, setting).value in (
+                setting.default,
+                (shell.folder / str(setting.default)).as_posix(),
+            )
+
+
+def test_config_errors_are_values_of_their_own():
+    assert ConfigError("a", "b").messages == ("a", "b")
