@@ -203,8 +203,9 @@ def explained(faults: Iterable[StructureFault]) -> list[StructureFault]:
     for at, fault in enumerate(found):
         if fault is None or found[at] is None:
             continue
-        if fault.fault is Fault.UNCLOSED and known.take(found, (Fault.UNOPENED, _key(fault.at.bracket), None), at):
-            found[at] = StructureFault(Fault.ACROSS, fault.at)
+        if fault.fault is Fault.UNCLOSED:
+            closer = known.take(found, (Fault.UNOPENED, _key(fault.at.bracket), None), at)
+            found[at] = StructureFault(Fault.ACROSS, fault.at, closer.at) if closer else fault
         if fault.other is None:
             continue
         end, start = _key(fault.at.bracket), _key(fault.other.bracket)
@@ -232,16 +233,16 @@ class _Index:
                 other = _key(fault.other.bracket) if fault.other is not None else None
                 self._at.setdefault((fault.fault, _key(fault.at.bracket), other), deque()).append(at)
 
-    def take(self, found: list[StructureFault | None], key: tuple[Fault, _Key, _Key | None], behind: int) -> bool:
-        """Strike out the first such fault behind a place; whether there was one."""
+    def take(self, found: list[StructureFault | None], key: tuple[Fault, _Key, _Key | None], behind: int) -> StructureFault | None:
+        """Strike out the first such fault behind a place, if there is one."""
         # What is passed over here is never asked for again: the places asked about only move down.
         waiting = self._at.get(key)
         while waiting:
             at = waiting.popleft()
-            if at > behind and found[at] is not None:
+            if at > behind and (taken := found[at]) is not None:
                 found[at] = None
-                return True
-        return False
+                return taken
+        return None
 
 
 def _key(bracket: Bracket) -> _Key:

@@ -17,6 +17,16 @@ Bad:
     ^
     M08
 
+Bad (whole):
+
+    @START
+    <T#TOOL
+    ^
+    @
+    @END
+    M30>
+    @
+
 Good:
 
     <X#XPOS
@@ -25,13 +35,14 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.rule import Report, Severity, Structure, rule
+from deburr.rule import Note, Report, Severity, Structure, rule
 from deburr_grammar.structure import Fault, StructureFault
 
 
-@rule(Severity.ERROR, Structure((Fault.UNCLOSED,)))
+@rule(Severity.ERROR, Structure((Fault.UNCLOSED, Fault.ACROSS)))
 def check(fault: StructureFault) -> Iterator[Report]:
-    """Report the opener."""
-    yield Report(
-        fault.at.bracket.span, "this `<` is never closed; a `>` is missing before the section ends", fault.at.line
-    )
+    """Report the opener; a closer in a later section cannot be its own."""
+    message = "this `<` is never closed; a `>` is missing before the section ends"
+    other = fault.other
+    related = (Note(other.line, other.bracket.span, "this `>` stands in another section"),) if other else ()
+    yield Report(fault.at.bracket.span, message, fault.at.line, related)

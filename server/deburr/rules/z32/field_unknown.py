@@ -37,5 +37,8 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
     said = line.said(problem)
     name = "".join(letter for letter in said if letter.isalpha()).upper()
     near = [] if name in _KNOWN else get_close_matches(name, _KNOWN, 1, 0.6)
-    hint = f"; did you mean `{near[0]}`?" if near else expected(problem)
+    if near:
+        hint = f"; did you mean `{near[0]}`?"
+    else:
+        hint = expected(problem) if name in _KNOWN else f"; there are `name=value`, {', '.join(_KNOWN)} and `:L254-`"
     yield Report(whole(problem), f"`{said}` is no instruction of an advanced line{hint}")

@@ -34,13 +34,24 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the text."""
-    yield Report(whole(problem), f"`{line.said(problem)}` is no word that the control can read{_hint(line, problem)}")
+    said = line.said(problem)
+    yield Report(whole(problem), f"{_fault(said, line.text[problem.end :].lstrip())}{_hint(said, problem)}")
 
 
-def _hint(line: Line, problem: Problem) -> str:
-    behind = line.text[problem.end :].lstrip(" \t")
+def _fault(said: str, behind: str) -> str:
     if behind.startswith("="):
-        return "; an assignment stands between `!` and `!`"
-    return (
-        "; instructions stand between `!` and `!`" if line.said(problem).upper() in ("IF", "EB") else expected(problem)
-    )
+        return f"`{said}=` stores a value, which stands between `!` and `!`"
+    if said in ("+", "-"):
+        return f"`{said}` stands before a number only; inside the brackets, `<-...>`, it changes the sign"
+    if said.isalpha() and said.upper() not in _INSTRUCTIONS:
+        return f"`{said}` has no value, so the control cannot read it as a word"
+    return f"`{said}` is no word that the control can read"
+
+
+def _hint(said: str, problem: Problem) -> str:
+    if said.upper() in _INSTRUCTIONS:
+        return "; instructions stand between `!` and `!`"
+    return expected(problem) if said not in ("+", "-") else ""
+
+
+_INSTRUCTIONS = ("IF", "EB", "CP", "PC", "GON", "GOP", "GOS")
