@@ -13,6 +13,8 @@ SEED = 274
 CAM_LINES = 1_000_000
 MACRO_LINES = 100_000
 MIXED_LINES = 100_000
+TOOLS = 40
+"""Numbers of tools that programs ask for: 1 to this."""
 
 
 def cam(lines: int = CAM_LINES) -> str:
@@ -90,7 +92,7 @@ def _cam(random: Random) -> Iterator[list[str]]:
 
 
 def _operation(random: Random, label: int) -> Iterator[list[str]]:
-    tool = random.randint(1, 40)
+    tool = random.randint(1, TOOLS)
     yield [f"(OPERATION {label}: POCKET {random.randint(1, 99)})"]
     yield [f"T{tool} M6", f"S{random.randint(20, 180)}00 M3", f"G43 H{tool}", "G0 Z5.", "M8"]
     yield [f"#2=[#2+{random.randint(1, 9) / 10}]"]

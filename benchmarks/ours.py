@@ -8,14 +8,13 @@ from random import Random
 from statistics import median
 from time import perf_counter
 
+from benchmarks.measure import growth, seconds
 from deburr.analysis import Analysis
 from deburr.modal import modal_of
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
 from deburr_grammar.text import Edit, Pos
-
-from benchmarks.measure import growth, seconds
 
 DIALECT = by_name("rs274")
 MODAL = modal_of(DIALECT)
@@ -105,7 +104,7 @@ def keystrokes(path: str, places: int) -> dict[str, float]:
         random = Random(SEED)
         taken = []
         for _ in range(places):
-            edit = typed(document, random.randrange(document.line_count - 1), stroke)
+            edit = typed(document, random.randrange(max(document.line_count - 1, 1)), stroke)
             start = perf_counter()
             answer(document, edit, ruleset)
             taken.append(perf_counter() - start)

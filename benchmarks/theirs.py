@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import subprocess
+from pathlib import Path
 from random import Random
 from statistics import median
 from tempfile import TemporaryDirectory
@@ -12,6 +13,7 @@ from time import perf_counter
 from tree_sitter import Language, Parser
 from tree_sitter_gcode import language
 
+from benchmarks.corpus import TOOLS
 from benchmarks.measure import growth, seconds
 from benchmarks.ours import KEYSTROKES, SEED, Keystroke, read
 
@@ -39,8 +41,8 @@ def keystrokes(path: str, places: int) -> dict[str, float]:
     tree = parses.parse(text)
     lines = text.split(b"\n")
     starts = [0]
-    for line in lines[:-1]:
-        starts.append(starts[-1] + len(line) + 1)
+    for ended in lines[:-1]:
+        starts.append(starts[-1] + len(ended) + 1)
     found = {}
     for stroke in KEYSTROKES:
         random = Random(SEED)
@@ -65,9 +67,12 @@ def _col(line: bytes, stroke: Keystroke) -> int:
 
 
 def interpreter(path: str) -> float | None:
-    """Seconds in which `rs274` runs a program to its end; None where it is not installed."""
+    """Seconds in which `rs274` runs a program to its end and prints nothing to a file; None where it is not installed."""
     command = shutil.which("rs274")
     if command is None:
         return None
     with TemporaryDirectory() as folder:
-        return seconds(lambda: subprocess.run([command, "-g", path], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False))
+        tools = Path(folder, "tool.tbl")
+        tools.write_text("".join(f"T{number} P{number} Z0.1 D1.0 ;\n" for number in range(1, TOOLS + 1)))
+        run = [command, "-t", str(tools), "-g", path]
+        return seconds(lambda: subprocess.run(run, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False))

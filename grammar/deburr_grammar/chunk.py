@@ -23,7 +23,7 @@ FANOUT = 8
 class Chunk:
     """Whole lines of text. Only the last chunk of a document may have a tail behind its last line end."""
 
-    __slots__ = ("text", "table", "eols", "chars", "memo", "_starts", "_shapes", "_marked", "_needs_depth")
+    __slots__ = ("_marked", "_needs_depth", "_shapes", "_starts", "chars", "eols", "memo", "table", "text")
 
     def __init__(
         self, text: str, table: Shapes, starts: array[int] | None = None, shapes: list[Shape] | None = None
@@ -91,12 +91,12 @@ class Chunk:
 class Branch:
     """Chunks or branches of equal height, in order."""
 
-    __slots__ = ("__dict__", "children", "chars", "eols", "memo")
+    __slots__ = ("__dict__", "chars", "children", "eols", "memo")
 
     def __init__(self, children: Sequence[Chunk] | Sequence[Branch]) -> None:
         self.children: tuple[Chunk | Branch, ...] = tuple(children)
-        self.eols = sum(child.eols for child in self.children)
-        self.chars = sum(child.chars for child in self.children)
+        self.eols: int = sum(child.eols for child in self.children)
+        self.chars: int = sum(child.chars for child in self.children)
         self.memo: dict[Any, Any] = {}
 
     @cached_property
@@ -117,11 +117,10 @@ class Branch:
 
 def grown(nodes: list[Chunk] | list[Branch]) -> Branch:
     """A tree over nodes of equal height."""
-    level: list[Any] = list(nodes)
-    while True:
+    level = [Branch(group) for group in _groups(list(nodes))]
+    while len(level) > 1:
         level = [Branch(group) for group in _groups(level)]
-        if len(level) == 1:
-            return level[0]
+    return level[0]
 
 
 def chunk_at(root: Branch, index: int) -> Chunk:

@@ -80,7 +80,7 @@ class Outline(Protocol):
     def start(self, facts: frozenset[str]) -> Hashable:
         """The state before the first line."""
 
-    def reading(self, state: Hashable) -> Reading:
+    def reading(self, state: Any) -> Reading:
         """How an unmarked line is read."""
 
     def step(self, state: Any, depth: int, facts: frozenset[str], read: "Callable[[Reading], LineNode]") -> Step:

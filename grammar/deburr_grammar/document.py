@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterator
 from functools import cached_property
-from itertools import islice
+from itertools import islice, pairwise
 from typing import NamedTuple, TypeVar
 
 from deburr_grammar.chunk import SIZE, Branch, Chunk, grown
@@ -69,7 +69,7 @@ class Document:
         """A document of the text, in chunks of about ``size`` characters. Nothing is read before it is asked for."""
         cuts = [0, *cut_points(text, size), len(text)]
         table = shapes_of(dialect)
-        return cls(dialect, grown([Chunk(text[a:b], table) for a, b in zip(cuts, cuts[1:])]), size)
+        return cls(dialect, grown([Chunk(text[a:b], table) for a, b in pairwise(cuts)]), size)
 
     @property
     def text(self) -> str:
@@ -142,7 +142,7 @@ class Document:
         """What the whole program closes and opens too much."""
         return self._outliner.behind(self._root, self._outliner.start).balance
 
-    @property
+    @cached_property
     def faults(self) -> tuple[StructureFault, ...]:
         """All faults of block structure, in order."""
         return self._outliner.reduction(self._root, self._outliner.start).all_faults()
@@ -191,9 +191,8 @@ class Document:
         first, before = 0, self._outliner.start
         while isinstance(node, Branch):
             top, start, last = before, first, len(node.children) - 1
-            for number, child in enumerate(node.children):
+            for number, (child, before) in enumerate(self._outliner.inner(node, top)):
                 if line < first + child.eols or number == last:
-                    before = self._outliner.at(node, top, number)
                     path.append(Step(node, number, start, first, top, before))
                     node = child
                     break

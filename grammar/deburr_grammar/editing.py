@@ -5,6 +5,7 @@ from __future__ import annotations
 from array import array
 from bisect import bisect_left
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import NamedTuple
 
 from deburr_grammar.chunk import Branch, Chunk, chunk_at, spliced
@@ -15,7 +16,7 @@ from deburr_grammar.text import Pos, cut_points, line_starts, with_newlines
 class Place(NamedTuple):
     """Where a chunk stands: its number, the number of its first line, the chunk."""
 
-    index: int
+    number: int
     line: int
     chunk: Chunk
 
@@ -47,16 +48,16 @@ def replaced(root: Branch, left: Place, right: Place, start: Pos, end: Pos, new:
         # The line above may end with a carriage return, which this newline then joins.
         if a and text[a - 1] == "\r":
             first -= 1
-        elif not a and left.index:
-            chunk = chunk_at(root, left.index - 1)
-            left = Place(left.index - 1, left.line - chunk.eols, chunk)
+        elif not a and left.number:
+            chunk = chunk_at(root, left.number - 1)
+            left = Place(left.number - 1, left.line - chunk.eols, chunk)
             text, first = chunk.text + text, chunk.eols - 1
     region = _patched(_Damage(left.chunk, first, right.chunk, end.line - right.line), text)
-    stop = right.index + 1
+    stop = right.number + 1
     if len(text) < size // 4 and stop < root.chunks:
         region, stop = _joined(region, chunk_at(root, stop)), stop + 1
     table = left.chunk.table
-    return spliced(root, left.index, stop, [Chunk(r.text, table, r.starts, r.shapes) for r in _cut(region, size)])
+    return spliced(root, left.number, stop, [Chunk(r.text, table, r.starts, r.shapes) for r in _cut(region, size)])
 
 
 def _patched(damage: _Damage, text: str) -> _Region:
@@ -96,7 +97,7 @@ def _cut(region: _Region, size: int) -> Iterator[_Region]:
         yield region
         return
     cuts = [0, *cut_points(region.text, size), len(region.text)]
-    for a, b in zip(cuts, cuts[1:]):
+    for a, b in pairwise(cuts):
         if region.starts is None or region.shapes is None:
             yield _Region(region.text[a:b], None, None)
             continue

@@ -56,7 +56,7 @@ class Grammar:
         try:
             tree = self._lark.parse(text, start)
         except UnexpectedInput as unexpected:
-            if _too_deep(unexpected.state.value_stack):  # type: ignore[attr-defined]  # set by all parser errors
+            if _too_deep(unexpected.state.value_stack):
                 return _DEEP
             return _faulty(text, start, unexpected)
         return _DEEP if _too_deep([tree]) else Parsed(_as_node(tree, start), None)
@@ -149,9 +149,11 @@ def _convert(tree: Any) -> Node | Token:
 def _faulty(text: str, start: str, unexpected: Any) -> Parsed:
     from lark.exceptions import UnexpectedCharacters
 
-    token = getattr(unexpected, "token", None)
+    token: Any = getattr(unexpected, "token", None)
+    at: int
     if isinstance(unexpected, UnexpectedCharacters):
-        at, end, found = unexpected.pos_in_stream, unexpected.pos_in_stream + 1, ""
+        at, found = int(unexpected.pos_in_stream or 0), ""
+        end = at + 1
     elif token is not None and token.type != "$END":
         at, end, found = token.start_pos, token.end_pos, str(token.type)
     else:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 from deburr_grammar.problem import Problem
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 LONGEST = 20_000
 DEEPEST = 200
 """A line of more characters or more opening signs than these is not read: no control takes one, and no person wrote it."""
+ABSURD = 10 * LONGEST
+"""A line of more characters than this is not even folded."""
 _OPENING = re.compile(r"[\[(<]")
 
 
@@ -33,7 +35,7 @@ class Facts:
 class Shape:
     """A line's text with what does not matter to its syntax folded away. Equal shapes are one object within a dialect."""
 
-    __slots__ = ("dialect", "text", "marked", "needs_depth", "_facts", "memo")
+    __slots__ = ("_facts", "dialect", "marked", "memo", "needs_depth", "text")
 
     def __init__(self, dialect: Dialect, text: str) -> None:
         self.dialect = dialect
@@ -115,10 +117,16 @@ class Shapes(dict[str, Shape]):
 
     def read(self, text: str) -> list[Shape]:
         """The shapes of all lines of a text whose line endings are newlines."""
+        if len(text) > ABSURD:
+            return [self[self._folded(line)] for line in text.split("\n")]
         return list(map(self.__getitem__, self._dialect.folding.fold(text).split("\n")))
 
+    def _folded(self, line: str) -> str:
+        # The start says enough of a line that is too long to be read.
+        return self._dialect.folding.fold(line) if len(line) <= ABSURD else line[: LONGEST + 1]
 
-@lru_cache(maxsize=None)
+
+@cache
 def shapes_of(dialect: Dialect) -> Shapes:
     """The shapes of a dialect; one table for all documents."""
     return Shapes(dialect)
@@ -127,7 +135,7 @@ def shapes_of(dialect: Dialect) -> Shapes:
 class LineNode:
     """One line: its text without the ending, its reading, its tree and its problems, in columns of the line."""
 
-    __slots__ = ("text", "reading", "shape", "_tree", "_columns")
+    __slots__ = ("_columns", "_tree", "reading", "shape", "text")
 
     def __init__(self, text: str, reading: Reading, shape: Shape) -> None:
         self.text = text

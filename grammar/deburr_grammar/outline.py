@@ -8,6 +8,7 @@ meets one that is known.
 
 from collections.abc import Hashable, Iterator
 from functools import lru_cache
+from itertools import pairwise
 from typing import NamedTuple
 
 from deburr_grammar.chunk import Branch, Chunk
@@ -28,12 +29,11 @@ class Before(NamedTuple):
 
 
 class Summed(NamedTuple):
-    """A branch under a state: its balance, what holds behind it, what is left of its brackets, and what holds before each child, the balance there counted from the branch's start."""
+    """A branch under a state: its balance, what holds behind it, and what is left of its brackets."""
 
     balance: Balance
     state: Hashable
     left: Reduction
-    inner: tuple[Before, ...]
 
 
 class Outlined(NamedTuple):
@@ -68,18 +68,11 @@ class Outliner:
         return Before(found.state, before.balance.then(found.balance))
 
     def inner(self, node: Branch, before: Before) -> Iterator[tuple[Branch | Chunk, Before]]:
-        """The children of a branch, each with what holds before it."""
-        found = self._found(node, before)
-        assert isinstance(found, Summed)
-        for child, inner in zip(node.children, found.inner):
-            yield child, Before(inner.state, before.balance.then(inner.balance))
-
-    def at(self, node: Branch, before: Before, number: int) -> Before:
-        """What holds before one child of a branch."""
-        found = self._found(node, before)
-        assert isinstance(found, Summed)
-        inner = found.inner[number]
-        return Before(inner.state, before.balance.then(inner.balance))
+        """The children of a branch, each with what holds before it. None is read before the one behind it is asked for."""
+        yield node.children[0], before
+        for child, following in pairwise(node.children):
+            before = self.behind(child, before)
+            yield following, before
 
     def balance(self, node: Branch | Chunk, before: Before) -> Balance:
         """The balance of a node's own brackets."""
@@ -116,13 +109,11 @@ class Outliner:
     def _sum(self, node: Branch, before: Before) -> Summed:
         state, total, running = before.state, EVEN, before.balance
         left, lines = NOTHING, 0
-        inner: list[Before] = []
         for child in node.children:
-            inner.append(Before(state, total))
             found = self._found(child, Before(state, running))
             left, lines = left.then(found.left.moved(lines)), lines + child.eols
             state, total, running = found.state, total.then(found.balance), running.then(found.balance)
-        return Summed(total, state, left, tuple(inner))
+        return Summed(total, state, left)
 
     def _read(self, chunk: Chunk, before: Before) -> Outlined:
         outline = self.dialect.outline

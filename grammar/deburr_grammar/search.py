@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from itertools import islice
 from typing import NamedTuple
 
 from deburr_grammar.chunk import Branch, Chunk
@@ -48,17 +49,14 @@ class Partners:
                     return found
         return found
 
-    def _siblings(self, step: Step, forward: bool) -> list[_At]:
-        if forward:
-            return self._placed(step.branch, step.first, step.top)[step.number + 1 :]
-        return self._placed(step.branch, step.first, step.top)[: step.number][::-1]
+    def _siblings(self, step: Step, forward: bool) -> Iterable[_At]:
+        placed = self._placed(step.branch, step.first, step.top)
+        return islice(placed, step.number + 1, None) if forward else reversed(list(islice(placed, step.number)))
 
-    def _placed(self, branch: Branch, line: int, before: Before) -> list[_At]:
-        placed = []
+    def _placed(self, branch: Branch, line: int, before: Before) -> Iterator[_At]:
         for node, inner in self._outliner.inner(branch, before):
-            placed.append(_At(node, line, inner))
+            yield _At(node, line, inner)
             line += node.eols
-        return placed
 
     def _visit(self, at: _At, depth: int, forward: bool) -> tuple[bool, Found, int]:
         """Go through a node: whether the search is over, what it found, how many blocks are left to close."""
@@ -70,7 +68,7 @@ class Partners:
             brackets = self._brackets(at)
             return _scan(brackets if forward else reversed(brackets), depth, forward)
         inner = self._placed(at.node, at.line, at.before)
-        for child in inner if forward else reversed(inner):
+        for child in inner if forward else reversed(list(inner)):
             done, found, depth = self._visit(child, depth, forward)
             if done:
                 return True, found, depth

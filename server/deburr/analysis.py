@@ -7,18 +7,17 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from deburr_grammar.dialect import Dialect
-from deburr_grammar.document import Document, Piece
-from deburr_grammar.line import LineNode
-from deburr_grammar.structure import StructureFault
-from deburr_grammar.text import with_newlines
-
 from deburr.blocks import Scope, scopes
 from deburr.finding import Finding, Place, Related
 from deburr.host import Host, NoFiles
 from deburr.rule import Note, Notice, Report, Rule, Structure
 from deburr.ruleset import RuleSet
 from deburr.suppress import allowed, is_allowed
+from deburr_grammar.dialect import Dialect
+from deburr_grammar.document import Document, Piece
+from deburr_grammar.line import LineNode
+from deburr_grammar.structure import StructureFault
+from deburr_grammar.text import with_newlines
 
 
 class _Local(NamedTuple):

@@ -1,80 +1,79 @@
-"""The blocks of a program as a tree: regions, blocks in them, what stands directly in each. Built in one sweep over brackets; never reads a line."""
+"""The blocks of a program and what stands in them: one sweep over brackets, linear however deep they nest. Never reads a line."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.structure import Placed
 
+DEEPEST = 250
+"""How far outward a rule looks. No reference knows blocks nested deeper; beyond it nothing is claimed."""
 
-@dataclass
+
+@dataclass(eq=False)
 class Block:
-    """An opener, what stands directly between it and its closer, and the closer (None: it is never closed)."""
+    """An opener and its closer (None: it is never closed).
+
+    ``around`` is the block in which it stands, and ``before`` counts that block's middles that
+    come before it; ``middles`` are the brackets directly inside that open nothing: `else`, `break`.
+    """
 
     opener: Placed
-    inner: list[Block | Placed] = field(default_factory=list)
+    around: Block | None
+    before: int
+    middles: list[Placed] = field(default_factory=list)
     closer: Placed | None = None
 
-    def middles(self) -> Iterator[Placed]:
-        """The brackets that stand directly in the block and open nothing: `else`, `break`."""
-        return (part for part in self.inner if isinstance(part, Placed))
+    def outward(self) -> Iterator[Block]:
+        """This block and those around it, innermost first, down to a depth that programs have."""
+        return islice(_outward(self), DEEPEST)
 
 
-@dataclass
+@dataclass(eq=False)
 class Scope:
-    """A region (a subprogram, a section; None: what is in none) and the blocks in it."""
+    """A region (a subprogram, a section; None: what is in none), its blocks and middles in order."""
 
     start: Placed | None
-    inner: list[Block | Placed] = field(default_factory=list)
     end: Placed | None = None
-
-    def blocks(self) -> Iterator[tuple[Block, tuple[Block, ...]]]:
-        """Every block of the scope with the blocks around it, outermost first."""
-        yield from _nested(self.inner, ())
-
-    def brackets(self) -> Iterator[tuple[Placed, tuple[Block, ...]]]:
-        """Every bracket of the scope but closers, in order, with the blocks around it."""
-        yield from _brackets(self.inner, ())
+    blocks: list[Block] = field(default_factory=list)
+    middles: list[tuple[Placed, Block | None]] = field(default_factory=list)
+    """The brackets that open nothing, each with the block directly around it."""
 
 
 def scopes(brackets: Iterable[tuple[int, Bracket]]) -> tuple[Scope, ...]:
     """The scopes in order; what stands outside all regions is the first, in as many pieces as regions leave, joined."""
     outside = Scope(None)
-    found, scope, stack = [outside], outside, list[Block]()
+    found, scope = [outside], outside
+    inner: Block | None = None
     for line, bracket in brackets:
         placed = Placed(line, bracket)
-        holder = stack[-1].inner if stack else scope.inner
         match bracket.role:
             case Role.OPEN:
-                stack.append(Block(placed))
-                holder.append(stack[-1])
-            case Role.CLOSE if stack:
-                stack.pop().closer = placed
+                inner = Block(placed, inner, len(inner.middles) if inner else 0)
+                scope.blocks.append(inner)
+            case Role.CLOSE if inner is not None:
+                inner.closer, inner = placed, inner.around
             case Role.REGION:
-                stack.clear()
-                scope = Scope(placed)
+                inner, scope = None, Scope(placed)
                 found.append(scope)
             case Role.END_REGION:
-                stack.clear()
-                scope.end, scope = placed, outside
-            case _:
-                holder.append(placed)
+                scope.end, scope, inner = placed, outside, None
+            case Role.MIDDLE:
+                scope.middles.append((placed, inner))
+                if inner is not None:
+                    inner.middles.append(placed)
     return tuple(found)
 
 
-def _nested(parts: Iterable[Block | Placed], around: tuple[Block, ...]) -> Iterator[tuple[Block, tuple[Block, ...]]]:
-    for part in parts:
-        if isinstance(part, Block):
-            yield part, around
-            yield from _nested(part.inner, (*around, part))
+def outward(block: Block | None) -> Iterator[Block]:
+    """A block and those around it, innermost first; none outside all blocks."""
+    return block.outward() if block is not None else iter(())
 
 
-def _brackets(parts: Iterable[Block | Placed], around: tuple[Block, ...]) -> Iterator[tuple[Placed, tuple[Block, ...]]]:
-    for part in parts:
-        if isinstance(part, Block):
-            yield part.opener, around
-            yield from _brackets(part.inner, (*around, part))
-        else:
-            yield part, around
+def _outward(block: Block | None) -> Iterator[Block]:
+    while block is not None:
+        yield block
+        block = block.around

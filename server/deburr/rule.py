@@ -13,13 +13,12 @@ from importlib import import_module
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from deburr.finding import Severity
 from deburr_grammar.line import LineNode
 from deburr_grammar.problem import Problem
 from deburr_grammar.structure import Fault, StructureFault
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
-
-from deburr.finding import Severity
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis

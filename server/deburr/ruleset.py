@@ -7,11 +7,10 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
-from deburr_grammar.dialect import Dialect, Reading
-from deburr_grammar.line import LineNode, Shape
-
 from deburr.finding import Severity
 from deburr.rule import Line, Long, Nodes, Noticed, Report, Rule, Structure, Syntax, Text, Whole, covers, rules_of
+from deburr_grammar.dialect import Dialect, Reading
+from deburr_grammar.line import LineNode, Shape
 
 Planned = Callable[[Line], Iterator[tuple[Rule, Report]]]
 _PLANS = 100_000

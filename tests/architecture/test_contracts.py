@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+
 from support.code import PACKAGES, ROOT
 
 LINT = "import sys; from importlinter.cli import lint_imports_command; sys.exit(lint_imports_command())"
@@ -27,12 +28,32 @@ def test_the_contracts_hold() -> None:
 
 
 PLANTED = {
-    "the grammar imports deburr": ("grammar/deburr_grammar/text.py", "from deburr.finding import Severity", "knows nothing of deburr"),
-    "the grammar imports the protocol": ("grammar/deburr_grammar/codes.py", "import lsprotocol", "knows nothing of deburr"),
+    "the grammar imports deburr": (
+        "grammar/deburr_grammar/text.py",
+        "from deburr.finding import Severity",
+        "knows nothing of deburr",
+    ),
+    "the grammar imports the protocol": (
+        "grammar/deburr_grammar/codes.py",
+        "import lsprotocol",
+        "knows nothing of deburr",
+    ),
     "the server's core imports pygls": ("server/deburr/finding.py", "import pygls", "may know the protocol"),
-    "text looks at documents": ("grammar/deburr_grammar/text.py", "from deburr_grammar.document import Document", "The parser's layers"),
-    "a line looks at chunks": ("grammar/deburr_grammar/line.py", "from deburr_grammar.chunk import Chunk", "The parser's layers"),
-    "a finding looks at the analysis": ("server/deburr/finding.py", "from deburr.analysis import Analysis", "Arrows of the server"),
+    "text looks at documents": (
+        "grammar/deburr_grammar/text.py",
+        "from deburr_grammar.document import Document",
+        "The parser's layers",
+    ),
+    "a line looks at chunks": (
+        "grammar/deburr_grammar/line.py",
+        "from deburr_grammar.chunk import Chunk",
+        "The parser's layers",
+    ),
+    "a finding looks at the analysis": (
+        "server/deburr/finding.py",
+        "from deburr.analysis import Analysis",
+        "Arrows of the server",
+    ),
 }
 
 
@@ -41,7 +62,11 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     root = tmp_path_factory.mktemp("copy")
     shutil.copy(ROOT / "pyproject.toml", root)
     for package in PACKAGES:
-        shutil.copytree(package, root / package.relative_to(ROOT), ignore=shutil.ignore_patterns("__pycache__", "*.toml", "*.tables"))
+        shutil.copytree(
+            package,
+            root / package.relative_to(ROOT),
+            ignore=shutil.ignore_patterns("__pycache__", "*.toml", "*.tables"),
+        )
     return root
 
 

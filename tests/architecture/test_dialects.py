@@ -2,13 +2,16 @@
 
 import shutil
 import textwrap
+import tomllib
 from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
 
-import deburr_grammar.dialects
 import pytest
-import tomllib
+from lark import Lark
+from pathspec import GitIgnoreSpec
+
+import deburr_grammar.dialects
 from deburr.analysis import Analysis
 from deburr.ruleset import RuleSet
 from deburr_grammar import Document, Edit, Pos
@@ -17,8 +20,6 @@ from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.grammar import Grammar
 from deburr_grammar.structure import Fault
 from deburr_grammar.tree import tokens
-from lark import Lark
-from pathspec import GitIgnoreSpec
 from support.code import PACKAGES, ROOT
 from support.equality import check
 from support.strategies import fixed_cases
@@ -88,7 +89,9 @@ def test_the_tables_that_ship_are_fresh(name: str) -> None:
 def rules(lark: Lark) -> tuple[list[str], list[str]]:
     """What a parser was made of, in words that do not depend on whether it was built or loaded."""
     made = sorted(f"{rule.origin.name}: {' '.join(symbol.name for symbol in rule.expansion)}" for rule in lark.rules)
-    return made, sorted(f"{terminal.name} {terminal.pattern.to_regexp()} {terminal.priority}" for terminal in lark.terminals)
+    return made, sorted(
+        f"{terminal.name} {terminal.pattern.to_regexp()} {terminal.priority}" for terminal in lark.terminals
+    )
 
 
 @pytest.fixture
@@ -192,7 +195,9 @@ def test_a_new_dialect_keeps_all_promises_at_once(toy: Dialect) -> None:
         check(toy, case)
 
 
-def test_tables_that_are_missing_or_of_another_lark_are_built_anew(toy: Dialect, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_tables_that_are_missing_or_of_another_lark_are_built_anew(
+    toy: Dialect, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     path = tmp_path / "toy" / "line.tables"
     wanted = toy.grammar.parse("line", "G1 {")
     assert not toy.grammar.fresh
@@ -208,7 +213,15 @@ def test_tables_that_are_missing_or_of_another_lark_are_built_anew(toy: Dialect,
     assert reads()
     assert not built, "fresh tables are loaded"
     whole = path.read_bytes()
-    for broken in (whole.replace(b"BEGIN: ", b"BEGIN : ", 1), b"", whole[:100], whole[:-200], toy.grammar._key, toy.grammar._key + b"no pickle", whole.replace(b"1.", b"0.", 1)):
+    for broken in (
+        whole.replace(b"BEGIN: ", b"BEGIN : ", 1),
+        b"",
+        whole[:100],
+        whole[:-200],
+        toy.grammar._key,
+        toy.grammar._key + b"no pickle",
+        whole.replace(b"1.", b"0.", 1),
+    ):
         path.write_bytes(broken)
         assert reads()
     assert len(built) == 7
@@ -224,8 +237,15 @@ def test_the_wheel_carries_all_that_is_read_at_run_time() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     wheel = project["tool"]["hatch"]["build"]["targets"]["wheel"]
     assert sorted(wheel["packages"]) == sorted(str(package.relative_to(ROOT)) for package in PACKAGES)
-    assert not {"include", "exclude", "only-include", "artifacts"} & (wheel.keys() | project["tool"]["hatch"]["build"].keys())
+    assert not {"include", "exclude", "only-include", "artifacts"} & (
+        wheel.keys() | project["tool"]["hatch"]["build"].keys()
+    )
     ignored = GitIgnoreSpec.from_lines((ROOT / ".gitignore").read_text(encoding="utf-8").splitlines())
-    data = [path for package in PACKAGES for path in package.rglob("*") if path.suffix in (".lark", ".tables", ".toml", ".typed")]
+    data = [
+        path
+        for package in PACKAGES
+        for path in package.rglob("*")
+        if path.suffix in (".lark", ".tables", ".toml", ".typed")
+    ]
     assert len(data) >= 4 * 4 + 2
     assert [path for path in data if ignored.match_file(path.relative_to(ROOT))] == []

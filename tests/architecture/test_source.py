@@ -4,6 +4,7 @@ import ast
 from pathlib import Path
 
 import pytest
+
 from deburr_grammar.dialects import NAMES
 from support.code import PACKAGES, ROOT, calls, conditions_on, imports, modules, named_after
 
@@ -57,7 +58,16 @@ def test_a_planted_condition_is_found(planted: str) -> None:
     assert list(conditions_on(planted, ("metagcode", "rs274", "cgt", "z32")))
 
 
-@pytest.mark.parametrize("plain", ["NAMES = ('metagcode', 'rs274')", "'''As `rs274` does.'''", "if name in NAMES: pass", "help(text='rs274: smithy')", "if kind == 'comment': pass"])
+@pytest.mark.parametrize(
+    "plain",
+    [
+        "NAMES = ('metagcode', 'rs274')",
+        "'''As `rs274` does.'''",
+        "if name in NAMES: pass",
+        "help(text='rs274: smithy')",
+        "if kind == 'comment': pass",
+    ],
+)
 def test_a_mere_mention_is_not(plain: str) -> None:
     assert not list(conditions_on(plain, ("metagcode", "rs274", "cgt", "z32")))
 
@@ -73,22 +83,44 @@ def test_no_dialect_imports_another(path: Path) -> None:
 GRAMMAR_PARTS = {"codes", "dialect", "line", "problem", "shape", "structure", "text", "tree"}
 
 
-@pytest.mark.parametrize("path", [path for path in MODULES if GRAMMAR / "dialects" in path.parents and path.parent.name in NAMES], ids=name_of)
+@pytest.mark.parametrize(
+    "path",
+    [path for path in MODULES if GRAMMAR / "dialects" in path.parents and path.parent.name in NAMES],
+    ids=name_of,
+)
 def test_a_grammar_folder_knows_lines_and_nothing_larger(path: Path) -> None:
     for line, module in imports(path.read_text(encoding="utf-8")):
         package, _, rest = module.partition(".")
         if package == GRAMMAR.name:
-            assert rest.split(".")[0] in GRAMMAR_PARTS or rest.startswith(f"dialects.{path.parent.name}"), f"line {line} imports {module}"
+            assert rest.split(".")[0] in GRAMMAR_PARTS or rest.startswith(f"dialects.{path.parent.name}"), (
+                f"line {line} imports {module}"
+            )
 
 
 @pytest.mark.parametrize("path", core(), ids=name_of)
 def test_the_core_opens_no_file_and_reads_no_clock(path: Path) -> None:
     source = path.read_text(encoding="utf-8")
     assert list(calls(source, ("open", "input", "print", "exec", "eval", "breakpoint"))) == []
-    forbidden = {"datetime", "glob", "pathlib", "random", "shutil", "socket", "subprocess", "tempfile", "threading", "time", "urllib"}
+    forbidden = {
+        "datetime",
+        "glob",
+        "pathlib",
+        "random",
+        "shutil",
+        "socket",
+        "subprocess",
+        "tempfile",
+        "threading",
+        "time",
+        "urllib",
+    }
     assert [(line, module) for line, module in imports(source) if module.split(".")[0] in forbidden] == []
     if "os" in {module for _, module in imports(source)}:
-        used = {node.attr for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "os"}
+        used = {
+            node.attr
+            for node in ast.walk(ast.parse(source))
+            if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "os"
+        }
         assert used <= {"environ"}
 
 
@@ -97,7 +129,9 @@ def test_the_searches_find_what_they_look_for() -> None:
     assert list(imports("def f():\n    import time\n    from datetime import date")) == [(2, "time"), (3, "datetime")]
 
 
-@pytest.mark.parametrize("path", [path for path in MODULES if not any(SERVER / edge in path.parents for edge in AT_THE_EDGE)], ids=name_of)
+@pytest.mark.parametrize(
+    "path", [path for path in MODULES if not any(SERVER / edge in path.parents for edge in AT_THE_EDGE)], ids=name_of
+)
 def test_libraries_do_not_print(path: Path) -> None:
     assert list(calls(path.read_text(encoding="utf-8"), ("print",))) == []
 
@@ -108,7 +142,9 @@ def files() -> list[Path]:
 
 
 def test_no_file_is_longer_than_a_person_reads() -> None:
-    long = {name_of(path): size for path in files() if (size := len(path.read_text(encoding="utf-8").splitlines())) > 500}
+    long = {
+        name_of(path): size for path in files() if (size := len(path.read_text(encoding="utf-8").splitlines())) > 500
+    }
     assert long == {}
 
 

@@ -1,6 +1,7 @@
 """RS274's arithmetic on constants: values by hand from spec/rs274.md §3 and spec/oracle.md §4."""
 
 import pytest
+
 from deburr.arithmetic import ArithmeticFault
 from deburr.arithmetic.rs274 import constant
 from deburr_grammar.dialects import by_name

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+
 from deburr_grammar import Document, Edit, Pos
 from deburr_grammar.chunk import FANOUT, Branch, Chunk, chunk_at, grown
 from deburr_grammar.dialect import Bracket, Role
@@ -207,7 +208,16 @@ def test_partners_of_deep_nesting() -> None:
 
 def test_readings_follow_the_program() -> None:
     document = parsed("G0 X1\nM2\n???\no1 sub\n???\no1 endsub\n???\n")
-    assert [node.reading.name for node in document.nodes()] == ["program", "program", "after-end", "program", "program", "program", "after-end", "after-end"]
+    assert [node.reading.name for node in document.nodes()] == [
+        "program",
+        "program",
+        "after-end",
+        "program",
+        "program",
+        "program",
+        "after-end",
+        "after-end",
+    ]
     assert [line for line, _ in document.problems()] == [4]
     changed = document.edit(Edit(Pos(1, 0), Pos(1, 2), "M3"))
     assert [line for line, _ in changed.problems()] == [2, 4, 6]
@@ -230,7 +240,11 @@ def test_a_fold_stops_at_each_line() -> None:
     for line in naive.outlined(document.text, DIALECT):
         wanted.append(state)
         node = document.node(len(wanted) - 1)
-        state = TALLY.marked(state, node, line.brackets) if node.shape.marked else TALLY.plain(state, line.reading, node.shape)
+        state = (
+            TALLY.marked(state, node, line.brackets)
+            if node.shape.marked
+            else TALLY.plain(state, line.reading, node.shape)
+        )
     assert states == wanted
 
 

@@ -3,11 +3,12 @@
 from dataclasses import replace
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.document import Document
 from deburr_grammar.text import Edit, Pos
-from hypothesis import given
-from hypothesis import strategies as st
 from support import naive
 from support.equality import Case, answers, check, check_reading
 from support.strategies import SIZES, cases, steady, texts
@@ -17,7 +18,7 @@ from support.strategies import SIZES, cases, steady, texts
 def test_edits_equal_a_fresh_parse(name: str) -> None:
     dialect = by_name(name)
 
-    @steady(350)
+    @steady(600)
     @given(cases(dialect))
     def compare(case: Case) -> None:
         check(dialect, case)
@@ -29,7 +30,7 @@ def test_edits_equal_a_fresh_parse(name: str) -> None:
 def test_an_edit_reads_the_lines_it_touched(name: str) -> None:
     dialect = by_name(name)
 
-    @steady(120)
+    @steady(200)
     @given(cases(dialect))
     def count(case: Case) -> None:
         check_reading(dialect, case)

@@ -13,6 +13,7 @@ from typing import Any
 from unittest import mock
 
 import pytest
+
 from deburr_grammar import chunk, document, editing, fold, line, outline, search, shape, structure, text
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.dialects import by_name
@@ -69,12 +70,23 @@ def cases() -> Iterator[Case]:
     for program in programs:
         for size in (3, 20, 300):
             yield Case(program, (Edit(Pos(0, 0), Pos(0, 0), "o9 endif\n\n"),), size, frozenset({0}))
-            yield Case(program, (Edit(Pos(1, 0), Pos(1, 0), "o3 sub\nM2\no3 endsub\n"), Edit(Pos(0, 0), Pos(1, 0), "")), size, frozenset({0, 1}))
-            yield Case(program, (Edit(Pos(0, 99), Pos(0, 99), "\r"), Edit(Pos(1, 0), Pos(1, 0), "\n")), size, frozenset({0, 1}))
-            yield Case(program, (Edit(Pos(2, 1), Pos(2, 2), "\r"), Edit(Pos(3, 0), Pos(4, 0), "\nX")), size, frozenset({0, 1}))
+            yield Case(
+                program,
+                (Edit(Pos(1, 0), Pos(1, 0), "o3 sub\nM2\no3 endsub\n"), Edit(Pos(0, 0), Pos(1, 0), "")),
+                size,
+                frozenset({0, 1}),
+            )
+            yield Case(
+                program, (Edit(Pos(0, 99), Pos(0, 99), "\r"), Edit(Pos(1, 0), Pos(1, 0), "\n")), size, frozenset({0, 1})
+            )
+            yield Case(
+                program, (Edit(Pos(2, 1), Pos(2, 2), "\r"), Edit(Pos(3, 0), Pos(4, 0), "\nX")), size, frozenset({0, 1})
+            )
     yield Case("aaa\rb\n", (Edit(Pos(1, 0), Pos(1, 1), ""),), 3, frozenset({0}))
     yield Case("o1 if [1]\no2 sub\no1 endif\no2 endsub\no1 if [1]\n", (), 300)
-    yield Case("G1 X1\n" * 40, (Edit(Pos(0, 0), Pos(10, 3), ""), Edit(Pos(3, 1), Pos(12, 1), "")), 64, frozenset({0, 1}))
+    yield Case(
+        "G1 X1\n" * 40, (Edit(Pos(0, 0), Pos(10, 3), ""), Edit(Pos(3, 1), Pos(12, 1), "")), 64, frozenset({0, 1})
+    )
     yield from fixed_cases(DIALECT, 60)
 
 
@@ -96,32 +108,76 @@ CHECKS = (check, check_reading, check_shapes)
 
 MUTANTS = {
     "a newline does not join the carriage return before it": (editing, "replaced", 'text[a : a + 1] == "\\n"', "False"),
-    "a newline joins no carriage return of another chunk": (editing, "replaced", "elif not a and left.index", "elif False"),
-    "line starts behind the edit are not shifted": (editing, "_patched", "start + moved for start in kept", "start for start in kept"),
-    "shapes behind the edit are shifted by one": (editing, "_patched", "below[damage.last + 1 :]", "below[damage.last + 2 :] + below[-1:]"),
+    "a newline joins no carriage return of another chunk": (editing, "replaced", "elif not a", "elif False"),
+    "line starts behind the edit are not shifted": (
+        editing,
+        "_patched",
+        "start + moved for start in kept",
+        "start for start in kept",
+    ),
+    "shapes behind the edit are shifted by one": (
+        editing,
+        "_patched",
+        "below[damage.last + 1 :]",
+        "below[damage.last + 2 :] + below[-1:]",
+    ),
     "every line of a chunk is read anew": (editing, "_patched", "above is None or below is None", "True"),
     "line starts of a joined chunk are not shifted": (editing, "_joined", "start + len(region.text)", "start"),
     "pieces keep the line starts of the whole": (editing, "_cut", "start - a for start", "start for start"),
     "faults are kept with absolute lines": (structure, "Reduction.moved", "not lines or self == NOTHING", "True"),
-    "a summary is kept without the state before it": (outline, "Outliner.key", "(self.facts, before.state,", "(self.facts, None,"),
-    "a summary is kept without the depth before it": (outline, "Outliner.key", "before.balance.openers if node.needs_depth else -1", "-1"),
-    "a branch sums its children without their depth": (outline, "Outliner._sum", "running.then(found.balance)", "running"),
-    "a fold forgets the state that it came with": (fold, "carried", "(fold, state, outliner.key(node, before))", "(fold, outliner.key(node, before))"),
+    "a summary is kept without the state before it": (
+        outline,
+        "Outliner.key",
+        "(self.facts, before.state,",
+        "(self.facts, None,",
+    ),
+    "a summary is kept without the depth before it": (
+        outline,
+        "Outliner.key",
+        "before.balance.openers if node.needs_depth else -1",
+        "-1",
+    ),
+    "a branch sums its children without their depth": (
+        outline,
+        "Outliner._sum",
+        "running.then(found.balance)",
+        "running",
+    ),
+    "a fold forgets the state that it came with": (
+        fold,
+        "carried",
+        "(fold, state, outliner.key(node, before))",
+        "(fold, outliner.key(node, before))",
+    ),
     "a fold ignores where readings change": (fold, "through", "runs.get(index, reading)", "reading"),
     "closers are not carried over a stretch": (structure, "Balance.then", "self.closers + left", "self.closers"),
     "a cut does not cut": (structure, "Balance.then", "after.openers if after.cut else", ""),
-    "pairs across chunks are not compared": (structure, "Reduction.then", "if (found := _compared(*pair))", "if (found := None)"),
+    "pairs across chunks are not compared": (
+        structure,
+        "Reduction.then",
+        "if (found := _compared(*pair))",
+        "if (found := None)",
+    ),
     "a search runs over region boundaries": (search, "_scan", "bracket.role in CUTS", "False"),
     "a search skips a stretch by its closers alone": (search, "Partners._visit", "depth - near + far", "depth - near"),
     "digits of G and M codes are folded": (shape, "Folding.fold", "not self.protect", "True"),
-    "columns forget that digits were folded": (shape, "Columns.__call__", "col + self.growths", "col + 0 * self.growths"),
+    "columns forget that digits were folded": (
+        shape,
+        "Columns.__call__",
+        "col + self.growths",
+        "col + 0 * self.growths",
+    ),
 }
 
 
 @pytest.mark.parametrize("name", sorted(MUTANTS))
 def test_mutant_is_caught(name: str) -> None:
     module, function, old, new = MUTANTS[name]
-    with cold(), rewritten(module, function, old, new), pytest.raises((AssertionError, IndexError, ValueError, StopIteration, RuntimeError)):
+    with (
+        cold(),
+        rewritten(module, function, old, new),
+        pytest.raises((AssertionError, IndexError, ValueError, StopIteration, RuntimeError)),
+    ):
         run_all(CHECKS)
 
 

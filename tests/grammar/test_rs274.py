@@ -1,6 +1,7 @@
 """RS274 lines: what they are read as, and what is wrong with them, by hand from spec/rs274.md."""
 
 import pytest
+
 from deburr_grammar.dialects import by_name
 from deburr_grammar.dialects.rs274.outline import codes
 from deburr_grammar.document import Document

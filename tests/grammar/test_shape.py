@@ -1,6 +1,7 @@
 """Folding by hand-worked values, on a dialect of its own that is made for this page."""
 
 import pytest
+
 from deburr_grammar.codes import code_number
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.line import DEEPEST, LONGEST, LineNode, Shapes, shapes_of
@@ -90,9 +91,17 @@ def test_a_tree_that_nests_too_deep_is_not_given() -> None:
     """Sums and signs nest without a bracket; whoever walks a tree by recursion must not fall."""
     dialect = by_name("rs274")
     reading = dialect.readings[0]
-    for text in ("#1=[" + "1+" * 3000 + "1]", "X" + "-" * 2000 + "1", "#" * 900 + "1", "#1=" + "[-SIN" * 150 + "[1]" + "]" * 150, "#1=[" + "1+" * 3000):
+    for text in (
+        "#1=[" + "1+" * 3000 + "1]",
+        "X" + "-" * 2000 + "1",
+        "#" * 900 + "1",
+        "#1=" + "[-SIN" * 150 + "[1]" + "]" * 150,
+        "#1=[" + "1+" * 3000,
+    ):
         node = LineNode(text, reading, shapes_of(dialect)[dialect.folding.fold(text)])
-        assert [(problem.kind, problem.start, problem.end) for problem in node.problems] == [("line-too-deep", 0, len(text))]
+        assert [(problem.kind, problem.start, problem.end) for problem in node.problems] == [
+            ("line-too-deep", 0, len(text))
+        ]
     for text in ("#1=[" + "1+" * 120 + "1]", "X" + "-" * 250 + "1", "#1=" + "[" * 120 + "1" + "]" * 120):
         node = LineNode(text, reading, shapes_of(dialect)[dialect.folding.fold(text)])
         assert node.problems == ()
@@ -101,7 +110,17 @@ def test_a_tree_that_nests_too_deep_is_not_given() -> None:
 
 @pytest.mark.parametrize(
     ("said", "number"),
-    [("g01", "G1"), ("G 38.20", "G38.2"), ("M0", "M0"), ("m00", "M0"), ("G", "G0"), ("G5.", "G5"), ("G" + "0" * 5000 + "1", "G1"), ("M" + "9" * 5000, "M" + "9" * 5000), ("#1", "#1")],
+    [
+        ("g01", "G1"),
+        ("G 38.20", "G38.2"),
+        ("M0", "M0"),
+        ("m00", "M0"),
+        ("G", "G0"),
+        ("G5.", "G5"),
+        ("G" + "0" * 5000 + "1", "G1"),
+        ("M" + "9" * 5000, "M" + "9" * 5000),
+        ("#1", "#1"),
+    ],
 )
 def test_codes_have_one_spelling(said: str, number: str) -> None:
     assert code_number(said) == number

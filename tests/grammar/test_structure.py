@@ -2,18 +2,34 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
-from deburr_grammar.dialect import Bracket, Role
-from deburr_grammar.structure import EVEN, NOTHING, Balance, Fault, Placed, Reduction, balance, joined, reduction, single
-from deburr_grammar.text import Span
 from hypothesis import given
 from hypothesis import strategies as st
+
+from deburr_grammar.dialect import Bracket, Role
+from deburr_grammar.structure import (
+    EVEN,
+    NOTHING,
+    Balance,
+    Fault,
+    Placed,
+    Reduction,
+    balance,
+    joined,
+    reduction,
+    single,
+)
+from deburr_grammar.text import Span
 from support import naive
 from support.strategies import steady
 
 ROLES = (Role.OPEN, Role.OPEN, Role.OPEN, Role.CLOSE, Role.CLOSE, Role.CLOSE, Role.MIDDLE, Role.REGION, Role.END_REGION)
 BRACKETS = st.builds(
-    lambda role, kind, label, col: Bracket(role, "sub" if role in (Role.REGION, Role.END_REGION) else kind, kind, label, Span(col, col + 1)),
+    lambda role, kind, label, col: Bracket(
+        role, "sub" if role in (Role.REGION, Role.END_REGION) else kind, kind, label, Span(col, col + 1)
+    ),
     st.sampled_from(ROLES),
     st.sampled_from(("if", "loop")),
     st.sampled_from(("1", "2", None)),
@@ -30,7 +46,7 @@ def lined(brackets: list[Bracket]) -> list[tuple[int, Bracket]]:
 def parts(brackets: list[Bracket], cuts: list[int]) -> list[Reduction]:
     """The reduction of each stretch between cuts, counted from its own first line and moved to its place."""
     at = sorted({0, len(brackets), *(cut % (len(brackets) + 1) for cut in cuts)})
-    return [reduction(lined(brackets[a:b])).moved(a) for a, b in zip(at, at[1:])]
+    return [reduction(lined(brackets[a:b])).moved(a) for a, b in pairwise(at)]
 
 
 def combined(stretches: list[Reduction]) -> Reduction:
@@ -110,7 +126,15 @@ def _ties(one: Bracket, two: Bracket) -> bool:
     return one.kind == two.kind and (one.label == two.label or None in (one.label, two.label))
 
 
-_SIGNS = {"(": (Role.OPEN, "if"), ")": (Role.CLOSE, "if"), "{": (Role.OPEN, "loop"), "}": (Role.CLOSE, "loop"), "S": (Role.REGION, "sub"), "E": (Role.END_REGION, "sub"), "-": (Role.MIDDLE, "if")}
+_SIGNS = {
+    "(": (Role.OPEN, "if"),
+    ")": (Role.CLOSE, "if"),
+    "{": (Role.OPEN, "loop"),
+    "}": (Role.CLOSE, "loop"),
+    "S": (Role.REGION, "sub"),
+    "E": (Role.END_REGION, "sub"),
+    "-": (Role.MIDDLE, "if"),
+}
 
 
 def written(signs: str) -> list[Bracket]:
@@ -135,14 +159,17 @@ def written(signs: str) -> list[Bracket]:
         ("S1", [(Fault.REGION_UNCLOSED, 0, None)]),
         ("E1", [(Fault.REGION_UNOPENED, 0, None)]),
         ("S1S2E2", [(Fault.REGION_NESTED, 1, 0)]),
-        ("S1(1E1)1", [(Fault.ACROSS, 1, None)]),
+        ("S1(1E1)1", [(Fault.ACROSS, 1, 3)]),
         ("S1)2E1", [(Fault.UNOPENED, 1, None)]),
         ("(1S1E1", [(Fault.UNCLOSED, 0, None)]),
     ],
 )
 def test_faults_of_small_programs(signs: str, wanted: list[tuple[Fault, int, int | None]]) -> None:
     brackets = written(signs)
-    found = [(fault.fault, fault.at.line, fault.other.line if fault.other else None) for fault in reduction(lined(brackets)).all_faults()]
+    found = [
+        (fault.fault, fault.at.line, fault.other.line if fault.other else None)
+        for fault in reduction(lined(brackets)).all_faults()
+    ]
     assert found == wanted
     for cut in range(len(brackets) + 1):
         assert combined(parts(brackets, [cut])).all_faults() == reduction(lined(brackets)).all_faults()

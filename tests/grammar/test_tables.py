@@ -1,6 +1,7 @@
 """The tables of codes: complete against the references, and every entry says something."""
 
 import pytest
+
 from deburr_grammar.codes import code_number
 from deburr_grammar.dialects import NAMES, by_name
 

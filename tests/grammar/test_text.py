@@ -1,11 +1,13 @@
 """Lines end at three signs and nowhere else, and texts are cut behind line ends only."""
 
 import re
+from itertools import pairwise
 
 import pytest
-from deburr_grammar.text import Edit, Pos, cut_points, line_starts, split_lines, with_newlines
 from hypothesis import given
 from hypothesis import strategies as st
+
+from deburr_grammar.text import Edit, Pos, cut_points, line_starts, split_lines, with_newlines
 from support import naive
 from support.strategies import steady
 
@@ -45,9 +47,9 @@ def test_starts_lead_to_lines(text: str) -> None:
 @given(SIGNS, st.integers(1, 9))
 def test_cuts_are_behind_line_ends_and_leave_pieces_of_the_size(text: str, size: int) -> None:
     cuts = [0, *cut_points(text, size), len(text)]
-    pieces = [text[a:b] for a, b in zip(cuts, cuts[1:])]
+    pieces = [text[a:b] for a, b in pairwise(cuts)]
     assert "".join(pieces) == text
-    assert sum((split_lines(piece)[:-1] for piece in pieces), []) == split_lines(text)[:-1]
+    assert [line for piece in pieces for line in split_lines(piece)[:-1]] == split_lines(text)[:-1]
     for piece in pieces[:-1]:
         assert len(piece) >= size
         assert piece[-1] in "\r\n"

@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+
 from deburr_grammar.dialects import by_name
 
 

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+
 from deburr.finding import Severity
 from deburr.rule import rules_of
 from deburr_grammar.dialects import by_name

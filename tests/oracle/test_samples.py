@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 import pytest
+
 from deburr.cli.main import main
 from support.oracle import SAMPLES
 

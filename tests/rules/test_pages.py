@@ -3,6 +3,7 @@
 import re
 
 import pytest
+
 from deburr.analysis import Analysis
 from deburr.rule import Rule, rules_of
 from deburr.ruleset import RuleSet

@@ -1,6 +1,7 @@
 """Every trigger of spec/rs274.md §8 that is in scope, as it stands there, in the smallest clean frame."""
 
 import pytest
+
 from deburr.analysis import Analysis
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name

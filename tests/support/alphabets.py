@@ -4,7 +4,30 @@ from dataclasses import dataclass
 
 from deburr_grammar.dialect import Dialect
 
-ODD = ("\r", "\r\n", "\n\r", "\f", "\v", "\x1c", "\x85", "\u2028", "\u2029", "\0", "\t", " ", "😋", "é", "\u212a", "\u017f", "\u0130", "\u0131", "\u0663", "\u00b9", "\x7f", "\ufeff")
+ODD = (
+    "\r",
+    "\r\n",
+    "\n\r",
+    "\f",
+    "\v",
+    "\x1c",
+    "\x85",
+    "\u2028",
+    "\u2029",
+    "\0",
+    "\t",
+    " ",
+    "😋",
+    "é",
+    "\u212a",
+    "\u017f",
+    "\u0130",
+    "\u0131",
+    "\u0663",
+    "\u00b9",
+    "\x7f",
+    "\ufeff",
+)
 """Line ends that are none, line ends that are, and letters and digits that only look like ASCII."""
 
 DIGITS = ("0", "7", "12", "00", "3.5", ".", "1.", ".5", "999999999", "9" * 40)
@@ -19,7 +42,40 @@ class Alphabet:
 
 
 _RS274 = Alphabet(
-    signs=("G", "m", "X", "n", "O", "#", "<", ">", "[", "]", "(", ")", ";", "%", "/", "*", "**", "=", "+", "-", "@", "^", "$", "&", ",", " if [1]", "sub", "endsub", "M2", "(debug,", "(a ", "; 1 "),
+    signs=(
+        "G",
+        "m",
+        "X",
+        "n",
+        "O",
+        "#",
+        "<",
+        ">",
+        "[",
+        "]",
+        "(",
+        ")",
+        ";",
+        "%",
+        "/",
+        "*",
+        "**",
+        "=",
+        "+",
+        "-",
+        "@",
+        "^",
+        "$",
+        "&",
+        ",",
+        " if [1]",
+        "sub",
+        "endsub",
+        "M2",
+        "(debug,",
+        "(a ",
+        "; 1 ",
+    ),
     lines=(
         "G21 G90 G17",
         "G0 X1 Y2.5 Z-3",
@@ -107,7 +163,32 @@ _RS274 = Alphabet(
 )
 
 _METAGCODE = Alphabet(
-    signs=("#", "|", "||", "#IF", "#if1", "#ENDIF", "#LOOP", "#ENDLOOP", "#FILE", "n", "c", " ", "a", "equalto", "(", ")", ";", "-", "\\", "=", "<", ">", "#3=", "|a|"),
+    signs=(
+        "#",
+        "|",
+        "||",
+        "#IF",
+        "#if1",
+        "#ENDIF",
+        "#LOOP",
+        "#ENDLOOP",
+        "#FILE",
+        "n",
+        "c",
+        " ",
+        "a",
+        "equalto",
+        "(",
+        ")",
+        ";",
+        "-",
+        "\\",
+        "=",
+        "<",
+        ">",
+        "#3=",
+        "|a|",
+    ),
     lines=(
         "#IF1 |a| equalto 1 n",
         "#if1 |Mat| EqualTo Steel alpha",
@@ -162,7 +243,37 @@ _METAGCODE = Alphabet(
 )
 
 _CGT = Alphabet(
-    signs=("@", "#", "<", ">", "(", ")", ",", "//", "#IF(", "#ELSE", "#AND", "#OR", "#EXC", "#XPOS", "#V1", "#xpos", "#REPEAT(2)", "=", "<>", "+", "^", "*", "G", " ", "#EVAL(", "#CALL(a)", "\n@", "@LINE\n", "\n<\n"),
+    signs=(
+        "@",
+        "#",
+        "<",
+        ">",
+        "(",
+        ")",
+        ",",
+        "//",
+        "#IF(",
+        "#ELSE",
+        "#AND",
+        "#OR",
+        "#EXC",
+        "#XPOS",
+        "#V1",
+        "#xpos",
+        "#REPEAT(2)",
+        "=",
+        "<>",
+        "+",
+        "^",
+        "*",
+        "G",
+        " ",
+        "#EVAL(",
+        "#CALL(a)",
+        "\n@",
+        "@LINE\n",
+        "\n<\n",
+    ),
     lines=(
         "free text 12 before <all>",
         "@DECLARE",
@@ -236,7 +347,39 @@ _CGT = Alphabet(
 )
 
 _Z32 = Alphabet(
-    signs=("!", "%", ";", ":", "(", ")", "<", ">", "[", "]", "=", "+", "-", "*", "/", ",", "N", "G", "X", "HA", "PAR[", "PAL[", "IF ", "GON", "EB", "L254", "G25", "$FCEPP", " ", "&lt", "\n%\n"),
+    signs=(
+        "!",
+        "%",
+        ";",
+        ":",
+        "(",
+        ")",
+        "<",
+        ">",
+        "[",
+        "]",
+        "=",
+        "+",
+        "-",
+        "*",
+        "/",
+        ",",
+        "N",
+        "G",
+        "X",
+        "HA",
+        "PAR[",
+        "PAL[",
+        "IF ",
+        "GON",
+        "EB",
+        "L254",
+        "G25",
+        "$FCEPP",
+        " ",
+        "&lt",
+        "\n%\n",
+    ),
     lines=(
         "A TITLE 12 (x !",
         "%",
@@ -323,7 +466,10 @@ def alphabet(dialect: Dialect) -> Alphabet:
     """The dialect's signs and lines; of one without data here, plain G-code and what its frame and comments show."""
     own = _OWN.get(dialect.name, _PLAIN)
     comments = tuple(f"{start}note 12{end}" for start, end in dialect.comments)
-    return Alphabet(own.signs + tuple(sign for pair in dialect.comments for sign in pair if sign), own.lines + tuple(dialect.frame.split("\n")) + comments)
+    return Alphabet(
+        own.signs + tuple(sign for pair in dialect.comments for sign in pair if sign),
+        own.lines + tuple(dialect.frame.split("\n")) + comments,
+    )
 
 
 def pieces(dialect: Dialect) -> tuple[str, ...]:

@@ -44,7 +44,10 @@ def _asked(node: ast.AST) -> Iterator[ast.expr | ast.pattern]:
             yield from (key for key in node.keys if key is not None)
         case ast.Subscript():
             yield node.slice
-        case ast.Call(func=ast.Attribute(attr="get" | "pop" | "setdefault" | "startswith" | "endswith" | "removeprefix"), args=[first, *_]):
+        case ast.Call(
+            func=ast.Attribute(attr="get" | "pop" | "setdefault" | "startswith" | "endswith" | "removeprefix"),
+            args=[first, *_],
+        ):
             yield first
 
 

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import lru_cache
+from functools import cache
+from itertools import pairwise
 from typing import Any, NamedTuple
 from unittest import mock
 
@@ -20,7 +21,6 @@ from deburr_grammar.line import LineNode, Shape
 from deburr_grammar.shape import Folding
 from deburr_grammar.structure import Placed
 from deburr_grammar.text import Edit
-
 from support import naive
 
 
@@ -42,7 +42,9 @@ class Tally:
         return (state * 3 + len(shape.text) + len(reading.name)) % 11
 
     def marked(self, state: int, line: LineNode, brackets: Sequence[Bracket]) -> int:
-        return (state * 5 + len(line.text) + len(line.reading.name) + sum(len(bracket.word) for bracket in brackets)) % 11
+        return (
+            state * 5 + len(line.text) + len(line.reading.name) + sum(len(bracket.word) for bracket in brackets)
+        ) % 11
 
 
 TALLY = Tally()
@@ -154,7 +156,7 @@ def _sound(document: Document, size: int) -> None:
     """The chunks are whole lines, none but the last is empty, and their sums are right."""
     chunks = list(document.chunks())
     assert all(chunk.text and chunk.text[-1] in "\r\n" for chunk in chunks[:-1])
-    assert not any(one.text[-1] == "\r" and two.text[:1] == "\n" for one, two in zip(chunks, chunks[1:]))
+    assert not any(one.text[-1] == "\r" and two.text[:1] == "\n" for one, two in pairwise(chunks))
     assert [chunk.eols for chunk in chunks] == [len(naive.lines_of(chunk.text)) - 1 for chunk in chunks]
     assert [len(chunk.starts) for chunk in chunks] == [chunk.eols + 1 for chunk in chunks]
     assert all(len(chunk.text) <= 2 * size or chunk.eols <= 2 * size for chunk in chunks)
@@ -162,15 +164,14 @@ def _sound(document: Document, size: int) -> None:
 
 def _flat(scope: Scope) -> tuple[object, ...]:
     """A scope as plain data without nesting, so that comparing deep ones needs no recursion."""
-    blocks = tuple((block.opener, block.closer, len(around), tuple(block.middles())) for block, around in scope.blocks())
-    brackets: tuple[tuple[Placed, tuple[Placed, ...]], ...] = tuple((one, tuple(_openers(around))) for one, around in scope.brackets())
-    return (scope.start, scope.end, blocks, brackets)
+    blocks = tuple((block.opener, block.closer, _opener(block.around), tuple(block.middles)) for block in scope.blocks)
+    return (scope.start, scope.end, blocks, tuple((placed, _opener(block)) for placed, block in scope.middles))
 
 
-def _openers(around: Sequence[Block]) -> Iterator[Placed]:
-    return (block.opener for block in around)
+def _opener(block: Block | None) -> Placed | None:
+    return block.opener if block is not None else None
 
 
-@lru_cache(maxsize=None)
+@cache
 def _ruleset(dialect: Dialect) -> RuleSet:
     return RuleSet(dialect, selected=lambda rule: True)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from deburr_grammar.dialect import Bracket, Dialect, Reading, Role
-from deburr_grammar.line import LineNode, shapes_of
+from deburr_grammar.line import LineNode, Shape, shapes_of
 from deburr_grammar.problem import Problem
 from deburr_grammar.structure import CUTS, StructureFault, reduction
 from deburr_grammar.text import Edit, Pos
@@ -63,11 +63,15 @@ def outlined(text: str, dialect: Dialect) -> list[NaiveLine]:
         found.append(NaiveLine(line, step.reading, shape, tuple(step.brackets)))
         state = step.state
         for bracket in step.brackets:
-            depth = 0 if bracket.role in CUTS else max(0, depth + (bracket.role is Role.OPEN) - (bracket.role is Role.CLOSE))
+            depth = (
+                0
+                if bracket.role in CUTS
+                else max(0, depth + (bracket.role is Role.OPEN) - (bracket.role is Role.CLOSE))
+            )
     return found
 
 
-def _reader(line: str, shape: object):
+def _reader(line: str, shape: Shape) -> Callable[[Reading], LineNode]:
     return lambda reading: LineNode(line, reading, shape)
 
 
@@ -84,7 +88,9 @@ def told(dialect: Dialect, line: str, problems: tuple[Problem, ...]) -> tuple[Pr
     """The problems of a direct parse as a shape tells them: one that ends inside a digit run or an inert body ends behind it."""
     columns = dialect.folding.columns(line)
     ends = [columns(col) for col in range(len(dialect.folding.fold(line)) + 1)] if problems else []
-    return tuple(replace(problem, end=next((end for end in ends if problem.end <= end), problem.end)) for problem in problems)
+    return tuple(
+        replace(problem, end=next((end for end in ends if problem.end <= end), problem.end)) for problem in problems
+    )
 
 
 def placed(lines: Sequence[NaiveLine]) -> list[tuple[int, Bracket]]:
@@ -112,7 +118,9 @@ def faults(brackets: Sequence[tuple[int, Bracket]]) -> tuple[StructureFault, ...
     return reduction(brackets).all_faults()
 
 
-def partners(brackets: Sequence[tuple[int, Bracket]]) -> Iterator[tuple[tuple[int, Bracket], tuple[int, Bracket] | None]]:
+def partners(
+    brackets: Sequence[tuple[int, Bracket]],
+) -> Iterator[tuple[tuple[int, Bracket], tuple[int, Bracket] | None]]:
     """Each opener and closer with its other end, by a stack that every region boundary empties."""
     found: dict[tuple[int, Bracket], tuple[int, Bracket] | None] = {}
     stack: list[tuple[int, Bracket]] = []

@@ -6,9 +6,8 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from deburr_grammar.tree import Node, Token
-
 from deburr.arithmetic import ArithmeticFault
+from deburr_grammar.tree import Node, Token
 
 Value = float | ArithmeticFault | None
 TOLERANCE = {"1e-4": 1e-4, "1e-6": 1e-6}

@@ -37,13 +37,27 @@ from deburr.rules.cgt._template import Body, Item, template_of
 @rule(Severity.WARNING, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the position."""
+    known: dict[tuple[int, str], Item | None] = {}
     for item, _, body in template_of(analysis).of("word"):
         if item.name in POSITIONS:
-            holder = next((found for outer in body.around() if (found := _holds(outer, item.name))), None)
+            holder = _holder(body, item.name, known)
             if holder is not None:
                 message = f"a changed `{item.text}` is not output while `{holder.text}` stays the same; give it a bracket of its own"
                 note = Note(holder.line, holder.span, f"only a change of `{holder.text}` opens the outer bracket")
                 yield Report(item.span, message, item.line, (note,))
+
+
+def _holder(body: Body, name: str, known: dict[tuple[int, str], Item | None]) -> Item | None:
+    """The word of the innermost body around that holds the name back; each body is asked once."""
+    passed, holder = [], None
+    for outer in body.around():
+        if (id(outer), name) in known:
+            holder = known[id(outer), name]
+            break
+        passed.append(outer)
+    for outer in reversed(passed):
+        holder = known[id(outer), name] = _holds(outer, name) or holder
+    return holder
 
 
 def _holds(body: Body, name: str) -> Item | None:

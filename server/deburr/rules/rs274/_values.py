@@ -27,7 +27,8 @@ def _own(node: Node, part: Node | Token) -> bool:
 def index(line: Line, param: Node) -> float | None:
     """The number of a numbered parameter if the line alone decides it."""
     value = constant(line.text, param.children[1], line.settings)
-    return value if isinstance(value, float) else None
+    # Four hundred digits make an infinite double; it is as far out of range as any, and can be rounded.
+    return max(-1e300, min(value, 1e300)) if isinstance(value, float) else None
 
 
 def name(line: Line, param: Node) -> str | None:

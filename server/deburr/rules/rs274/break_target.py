@@ -33,7 +33,7 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from deburr.blocks import Block
+from deburr.blocks import Block, outward
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import note, said
 from deburr_grammar.structure import Placed
@@ -46,7 +46,8 @@ if TYPE_CHECKING:
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report every `break` and `continue` whose loop is not around it."""
     for scope in analysis.scopes:
-        for placed, around in scope.brackets():
+        for placed, inside in scope.middles:
+            around = tuple(outward(inside)) if placed.bracket.word in ("break", "continue") else ()
             if placed.bracket.word in ("break", "continue") and not any(_is_loop(block, placed) for block in around):
                 yield _report(placed, around)
 

@@ -18,9 +18,8 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr_grammar.problem import Problem
-
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
+from deburr_grammar.problem import Problem
 
 
 @rule(Severity.ERROR, Syntax())

@@ -18,9 +18,8 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr_grammar.problem import Problem
-
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
+from deburr_grammar.problem import Problem
 
 
 @rule(Severity.ERROR, Syntax())

@@ -42,8 +42,8 @@ if TYPE_CHECKING:
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report every branch behind the first `else` of a block."""
     for scope in analysis.scopes:
-        for block, _ in scope.blocks():
-            branches = [placed for placed in block.middles() if placed.bracket.word in ("else", "elseif")]
+        for block in scope.blocks:
+            branches = [placed for placed in block.middles if placed.bracket.word in ("else", "elseif")]
             first = next((at for at, placed in enumerate(branches) if placed.bracket.word == "else"), len(branches))
             for placed in branches[first + 1 :]:
                 message = f"{said(placed.bracket)} comes after the `else` of its block and never runs"

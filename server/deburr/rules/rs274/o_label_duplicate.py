@@ -38,12 +38,12 @@ Good:
 """
 
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
-from deburr.blocks import Block
+from deburr.blocks import DEEPEST, Block
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import label, note, said
-from deburr_grammar.structure import Placed
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
@@ -53,28 +53,26 @@ if TYPE_CHECKING:
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report every block that is only reached when an earlier block with its label has been."""
     for scope in analysis.scopes:
-        known: dict[str, list[tuple[Placed, frozenset[_Branch]]]] = {}
-        for block, around in scope.blocks():
-            opener, branches = block.opener, _branches(block, around)
-            if opener.bracket.label is None:
+        known: dict[str, list[Block]] = {}
+        for block in scope.blocks:
+            bracket = block.opener.bracket
+            if bracket.label is None:
                 continue
-            earlier = known.setdefault(opener.bracket.label, [])
-            first = next((placed for placed, others in earlier if others <= branches), None)
-            if first is not None:
-                message = f"{said(opener.bracket)} uses `{label(opener.bracket)}` a second time; the control refuses it"
-                yield Report(opener.bracket.span, message, opener.line, (note(first, "has it already"),))
-            earlier.append((opener, branches))
+            earlier = known.setdefault(bracket.label, [])
+            first = next((other for other in islice(earlier, DEEPEST) if _reached_before(other, block)), None)
+            if first is None:
+                earlier.append(block)
+                continue
+            message = f"{said(bracket)} uses `{label(bracket)}` a second time; the control refuses it"
+            yield Report(bracket.span, message, block.opener.line, (note(first.opener, "has it already"),))
 
 
-_Branch = tuple[Placed, int]
-
-
-def _branches(block: Block, around: tuple[Block, ...]) -> frozenset[_Branch]:
-    """The branches in which a block stands: each block around it, and how many `else` and `elseif` of that come before."""
-    inner = (*around[1:], block)
-    return frozenset((outer.opener, _before(outer, part)) for outer, part in zip(around, inner))
-
-
-def _before(outer: Block, part: Block) -> int:
-    before = outer.inner[: next(at for at, each in enumerate(outer.inner) if each is part)]
-    return sum(isinstance(each, Placed) and each.bracket.word in ("else", "elseif") for each in before)
+def _reached_before(first: Block, second: Block) -> bool:
+    """Whether the second block is only reached when the first has been: it stands in the same branches, or deeper."""
+    if first.around is None:
+        return True
+    same = next((block for block in second.outward() if block.around is first.around), None)
+    if same is None:
+        return False
+    between = first.around.middles[first.before : same.before]
+    return not any(placed.bracket.word in ("else", "elseif") for placed in between)

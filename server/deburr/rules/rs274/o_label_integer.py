@@ -18,6 +18,7 @@ Good:
 """
 
 from collections.abc import Iterator
+from math import isfinite
 
 from deburr.arithmetic.rs274 import constant
 from deburr.rule import Line, Nodes, Report, Severity, rule
@@ -30,5 +31,5 @@ from deburr_grammar.tree import Node
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the number."""
     number = constant(line.text, node, line.settings)
-    if isinstance(number, float) and abs(number - round(number)) > NEAR:
+    if isinstance(number, float) and isfinite(number) and abs(number - round(number)) > NEAR:
         yield Report(Span(node.start, node.end), f"`{line.said(node)}` is no integer; an O-word's number must be one")

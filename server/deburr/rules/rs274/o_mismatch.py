@@ -40,9 +40,10 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from deburr.blocks import outward
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import end, label, note, said
-from deburr_grammar.structure import Fault
+from deburr_grammar.structure import Fault, Placed
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
@@ -57,11 +58,14 @@ def check(analysis: "Analysis") -> Iterator[Report]:
             message = f"{said(bracket)} cannot close {said(opener)}; {end(opener)} is expected"
             yield Report(bracket.span, message, fault.at.line, (note(fault.other, "is open here"),))
     for scope in analysis.scopes:
-        for placed, around in scope.brackets():
-            bracket = placed.bracket
-            opener = next((block.opener for block in reversed(around) if block.opener.bracket.kind == "if"), None)
-            if bracket.word in ("else", "elseif") and opener is not None:
-                labels = {bracket.label, opener.bracket.label}
-                if len(labels - {None}) > 1:
-                    message = f"{said(bracket)} stands in {said(opener.bracket)}; `{label(opener.bracket)} {bracket.word}` is expected"
-                    yield Report(bracket.span, message, placed.line, (note(opener, "is open here"),))
+        for placed, inside in scope.middles:
+            start = next((block.opener for block in outward(inside) if block.opener.bracket.kind == "if"), None)
+            if placed.bracket.word in ("else", "elseif") and start is not None:
+                yield from _branch(placed, start)
+
+
+def _branch(placed: Placed, start: Placed) -> Iterator[Report]:
+    bracket, opener = placed.bracket, start.bracket
+    if len({bracket.label, opener.label} - {None}) > 1:
+        message = f"{said(bracket)} stands in {said(opener)}; `{label(opener)} {bracket.word}` is expected"
+        yield Report(bracket.span, message, placed.line, (note(start, "is open here"),))

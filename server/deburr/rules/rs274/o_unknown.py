@@ -20,9 +20,8 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr_grammar.problem import Problem
-
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
+from deburr_grammar.problem import Problem
 
 
 @rule(Severity.ERROR, Syntax())
@@ -31,7 +30,7 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
     yield Report(whole(problem), f"`{line.said(problem)}` is no O-word command{_meant(line.said(problem)) or expected(problem)}")
 
 
-_COMMANDS = "sub endsub return call if elseif else endif while endwhile do repeat endrepeat break continue".split()
+_COMMANDS = ["sub", "endsub", "return", "call", "if", "elseif", "else", "endif", "while", "endwhile", "do", "repeat", "endrepeat", "break", "continue"]
 
 
 def _meant(name: str) -> str:

@@ -27,6 +27,7 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from deburr.blocks import outward
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import label, said
 from deburr_grammar.structure import Fault
@@ -43,8 +44,9 @@ def check(analysis: "Analysis") -> Iterator[Report]:
             bracket = fault.at.bracket
             yield Report(bracket.span, f"{said(bracket)} closes nothing; no block is open here", fault.at.line)
     for scope in analysis.scopes:
-        for placed, around in scope.brackets():
+        for placed, inside in scope.middles:
             bracket = placed.bracket
-            if bracket.word in ("else", "elseif") and not any(block.opener.bracket.kind == "if" for block in around):
+            branch = bracket.word in ("else", "elseif")
+            if branch and not any(block.opener.bracket.kind == "if" for block in outward(inside)):
                 message = f"{said(bracket)} belongs to no `if`; `{label(bracket)} if` is missing"
                 yield Report(bracket.span, message, placed.line)

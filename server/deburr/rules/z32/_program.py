@@ -5,6 +5,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Mapping
 from posixpath import basename, dirname, join, normpath
 from typing import NamedTuple
+from weakref import WeakKeyDictionary
 
 from deburr.analysis import Analysis
 from deburr.arithmetic.z32 import integer, number
@@ -74,13 +75,17 @@ def _held(analysis: Analysis, piece: Piece) -> Mapping[str, list[int]]:
     return found
 
 
+_all: WeakKeyDictionary[Analysis, dict[float, list[Label]]] = WeakKeyDictionary()
+
+
 def labels(analysis: Analysis, value: float) -> list[Label]:
     """The blocks of that number."""
-    return [
-        Label(piece.line + index, _span(piece, index))
-        for piece in analysis.document.pieces()
-        for index in _labels(analysis, piece).get(value, ())
-    ]
+    found = _all.get(analysis)
+    if found is None:
+        found = _all[analysis] = {}
+        for number_of, label in all_labels(analysis):
+            found.setdefault(number_of, []).append(label)
+    return found.get(value, [])
 
 
 def all_labels(analysis: Analysis) -> Iterator[tuple[float, Label]]:

@@ -21,22 +21,30 @@ Good:
 """
 
 from collections.abc import Iterator
+from functools import cache
 
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.z32._program import jumps, labels, section_of, sections
+from deburr.rules.z32._program import Label, jumps, labels, section_of, sections
 from deburr.rules.z32._values import shown
+
+_SHOWN = 8
+"""Blocks that are shown with a jump; the message counts them all."""
 
 
 @rule(Severity.ERROR, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the number that is jumped to."""
     found, starts = jumps(analysis), sections(analysis)
+
+    @cache
+    def meant_by(target: float, section: int) -> list[Label]:
+        places = labels(analysis, target)
+        return [place for place in places if section_of(starts, place.line) == section] or places
+
     for jump in found:
-        places = labels(analysis, jump.target) if jump.target is not None else []
-        own = [place for place in places if section_of(starts, place.line) == section_of(starts, jump.line)]
-        meant = own or places
+        meant = meant_by(jump.target, section_of(starts, jump.line)) if jump.target is not None else []
         if jump.target is not None and len(meant) > 1:
-            notes = tuple(Note(place.line, place.span, "this block has the number") for place in meant)
+            notes = tuple(Note(place.line, place.span, "this block has the number") for place in meant[:_SHOWN])
             message = f"{len(meant)} blocks have the number N{shown(jump.target)}; the control may jump to either"
             yield Report(jump.target_span, message, jump.line, notes)

@@ -25,7 +25,7 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token, tokens
 
 
-@rule(Severity.WARNING, Text(r"[<\[&][^\n]*[Hh][A-Za-z]"))
+@rule(Severity.WARNING, Text(r"[<\[&][^\n<\[&]*?[Hh][A-Za-z]"))
 def check(line: Line) -> Iterator[Report]:
     """Report the first read of each parameter that another word of the block sets."""
     words = [] if "advanced" in line.node.kinds else list(line.node.find("word"))
