@@ -42,12 +42,16 @@ machines give other times; the ratios stay. Nothing in the tests asserts a time:
   (the kernel's high-water mark, reset before).
 - `python -m benchmarks --quick` takes seconds and says little; `--only typing` measures one table.
 """
-_QUICK = rows.Sizes(cam=5_000, macro=2_000, mixed=2_000, odd=60_000, places=20, tree_sitter_places=2, starts=3, repeats=1, judged=False)
+_QUICK = rows.Sizes(
+    cam=5_000, macro=2_000, mixed=2_000, odd=60_000, places=20, tree_sitter_places=2, starts=3, repeats=1, judged=False
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Measure what was asked for; 1 if a budget does not hold."""
-    parser = argparse.ArgumentParser(prog="python -m benchmarks", description="Measure deburr beside others, in one run.")
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks", description="Measure deburr beside others, in one run."
+    )
     parser.add_argument("--quick", action="store_true", help="small programs, few repetitions")
     parser.add_argument("--only", action="append", metavar="WORD", help="only tables whose title holds the word")
     parser.add_argument("--write", type=Path, metavar="FILE", help="write the report as Markdown")
@@ -83,7 +87,11 @@ def _line(row: rows.Row) -> str:
 
 
 def _head(sizes: rows.Sizes) -> str:
-    return _HEAD.format(cam=sizes.cam, macro=sizes.macro, repeats=sizes.repeats, places=sizes.places) + "\n" + "\n".join(_machine())
+    return (
+        _HEAD.format(cam=sizes.cam, macro=sizes.macro, repeats=sizes.repeats, places=sizes.places)
+        + "\n"
+        + "\n".join(_machine())
+    )
 
 
 def _machine() -> Iterable[str]:

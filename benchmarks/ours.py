@@ -10,6 +10,7 @@ from time import perf_counter
 
 from benchmarks.measure import growth, seconds
 from deburr.analysis import Analysis
+from deburr.finding import Finding
 from deburr.modal import modal_of
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name
@@ -32,7 +33,11 @@ class Keystroke:
     in_number: bool = False
 
 
-KEYSTROKES = (Keystroke("a digit", "7", True), Keystroke("a newline", "\n"), Keystroke("an opener `o9999 if [1]`", "o9999 if [1]\n"))
+KEYSTROKES = (
+    Keystroke("a digit", "7", True),
+    Keystroke("a newline", "\n"),
+    Keystroke("an opener `o9999 if [1]`", "o9999 if [1]\n"),
+)
 
 
 def read(path: str) -> str:
@@ -74,13 +79,15 @@ def open_syntax(path: str) -> float:
 
 def open_all(path: str) -> float:
     """Seconds from the text to the findings of all rules."""
+    return everything(path)[0]
+
+
+def everything(path: str) -> tuple[float, int]:
+    """The same, and how many findings there are."""
     text, ruleset = read(path), ready()
-    return seconds(lambda: Analysis(Document.parse(text, DIALECT), ruleset).findings())
-
-
-def findings(path: str) -> int:
-    """How many findings there are."""
-    return len(Analysis(Document.parse(read(path), DIALECT), ready()).findings())
+    found: list[Finding] = []
+    taken = seconds(lambda: found.extend(Analysis(Document.parse(text, DIALECT), ruleset).findings()))
+    return taken, len(found)
 
 
 def memory(path: str) -> int:

@@ -75,4 +75,6 @@ def interpreter(path: str) -> float | None:
         tools = Path(folder, "tool.tbl")
         tools.write_text("".join(f"T{number} P{number} Z0.1 D1.0 ;\n" for number in range(1, TOOLS + 1)))
         run = [command, "-t", str(tools), "-g", path]
-        return seconds(lambda: subprocess.run(run, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False))
+        return seconds(
+            lambda: subprocess.run(run, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+        )

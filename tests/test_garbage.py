@@ -176,20 +176,20 @@ AWKWARD = {
     "angles closed over lines": b"@LINE\n" + b"<X#XPOS\n" * 5_000 + b">\n" * 5_000,
     "blocks without end": b"".join(b"o%d if [1]\n" % number for number in range(6_000)),
     "blocks of one label": b"o1 while [1]\n" * 6_000,
-    "ends without blocks": b"o1 endif\n" * 6_000,
-    "blocks of another kind": b"o1 if [1]\n" * 5_000 + b"o1 endwhile\n" * 5_000,
-    "blocks that cross": b"o1 if [1]\no2 if [1]\no1 endif\no2 endif\n" * 2_500,
-    "blocks in blocks": b"o1 do\n" * 5_000 + b"o1 while [1]\n" * 5_000,
+    "ends without blocks": b"o1 endif\n" * 4_000,
+    "blocks of another kind": b"o1 if [1]\n" * 3_000 + b"o1 endwhile\n" * 3_000,
+    "blocks that cross": b"o1 if [1]\no2 if [1]\no1 endif\no2 endif\n" * 1_500,
+    "blocks in blocks": b"o1 do\n" * 3_000 + b"o1 while [1]\n" * 3_000,
     "subs in subs": b"o1 sub\n" * 6_000,
-    "loops in loops": b"#LOOP1 |z| 2 c\n" * 5_000 + b"#ENDLOOP1\n" * 5_000,
+    "loops in loops": b"#LOOP1 |z| 2 c\n" * 3_000 + b"#ENDLOOP1\n" * 3_000,
     "conditions in conditions": b"".join(b"#IF%d |a| equalto 1 n\n" % number for number in range(5_000))
     + b"#ENDIF7\n" * 5_000,
-    "headers": b"@LINE\n" * 10_000,
+    "headers": b"@LINE\n" * 5_000,
     "sections of all names": b"".join(b"@s%d\n#CALL(s%d)\n" % (number, number + 1) for number in range(5_000)),
     "targets": b"%\n" + b"".join(b"N%d\n!GON%d!\n" % (number, number + 1) for number in range(5_000)),
     "targets of one number": b"%\n" + b"N1\n!GON1!\n" * 5_000,
     "percent signs": b"%\n" * 10_000,
-    "faulty lines": b"&?\n" * 10_000,
+    "faulty lines": b"&?\n" * 5_000,
     "long numbers": b"".join(
         prefix + b"9" * 5_000 + b"\n"
         for prefix in (

@@ -9,7 +9,12 @@ import pytest
 
 ROOT = Path(__file__).parent.parent
 BLOCK = re.compile(r"(?:<!-- not-run: (?P<reason>[^>]+) -->\n)?```sh\n(?P<commands>.*?)```", re.S)
-FINDS_SOMETHING = ("deburr check examples", "deburr check --output-format", "deburr check --select", "&& .venv/bin/deburr check")
+FINDS_SOMETHING = (
+    "deburr check examples",
+    "deburr check --output-format",
+    "deburr check --select",
+    "&& .venv/bin/deburr check",
+)
 
 
 def blocks(document: Path) -> list[tuple[str | None, list[str]]]:
@@ -21,7 +26,9 @@ def blocks(document: Path) -> list[tuple[str | None, list[str]]]:
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """What a fresh clone would hold: the files git tracks, as they are now."""
     target = tmp_path_factory.mktemp("clone")
-    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True, check=True)
+    listed = subprocess.run(
+        ["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
     for name in filter(None, listed.stdout.split("\n")):
         if (ROOT / name).is_file():
             (target / name).parent.mkdir(parents=True, exist_ok=True)
@@ -54,10 +61,16 @@ def test_ci_runs_exactly_the_test_command() -> None:
     (command,) = [commands for reason, commands in blocks(ROOT / "README.md") if reason]
     pattern = re.search(r"sed -n '/(.*)/p' README.md", (ROOT / ".ci/run").read_text(encoding="utf-8"))
     assert pattern is not None
-    shown = [line for line in (ROOT / "README.md").read_text(encoding="utf-8").split("\n") if re.search(pattern[1], line)]
+    shown = [
+        line for line in (ROOT / "README.md").read_text(encoding="utf-8").split("\n") if re.search(pattern[1], line)
+    ]
     assert shown == command
 
 
 def _changed(one: Path, other: Path) -> bool:
-    paths = [path for path in one.rglob("*") if path.is_file() and "__pycache__" not in path.parts and path.suffix != ".tables"]
+    paths = [
+        path
+        for path in one.rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts and path.suffix != ".tables"
+    ]
     return any(path.read_bytes() != (other / path.relative_to(one)).read_bytes() for path in paths)

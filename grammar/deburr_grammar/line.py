@@ -117,8 +117,8 @@ class Shapes(dict[str, Shape]):
 
     def read(self, text: str) -> list[Shape]:
         """The shapes of all lines of a text whose line endings are newlines."""
-        if len(text) > ABSURD:
-            return [self[self._folded(line)] for line in text.split("\n")]
+        if len(text) > ABSURD and max(map(len, lines := text.split("\n"))) > ABSURD:
+            return [self[self._folded(line)] for line in lines]
         return list(map(self.__getitem__, self._dialect.folding.fold(text).split("\n")))
 
     def _folded(self, line: str) -> str:

@@ -53,10 +53,14 @@ def value_of(expression: str, compare: str = "1e-4") -> object:
     ],
 )
 def test_values(expression: str, value: float | None) -> None:
-    assert value_of(expression) == pytest.approx(value, rel=1e-15) if value is not None else value_of(expression) is None
+    assert (
+        value_of(expression) == pytest.approx(value, rel=1e-15) if value is not None else value_of(expression) is None
+    )
 
 
-@pytest.mark.parametrize(("expression", "value"), [("[1 EQ 1.00005]", 0.0), ("[1 GE 1.0000005]", 1.0), ("[1 GE 1.00005]", 0.0)])
+@pytest.mark.parametrize(
+    ("expression", "value"), [("[1 EQ 1.00005]", 0.0), ("[1 GE 1.0000005]", 1.0), ("[1 GE 1.00005]", 0.0)]
+)
 def test_newer_versions_compare_nearer_and_also_ge(expression: str, value: float) -> None:
     assert value_of(expression, "1e-6") == value
 

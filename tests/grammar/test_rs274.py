@@ -126,7 +126,14 @@ def test_a_while_ends_a_do_of_its_label_and_opens_a_loop_otherwise() -> None:
 
 @pytest.mark.parametrize(
     ("line", "label"),
-    [("o1 if [1]", "1"), ("O01.0 if [1]", "1"), ("o<1> if [1]", "1"), ("o< A b > if [1]", "ab"), ("o#1 if [1]", None), ("o[1+1] if [1]", None)],
+    [
+        ("o1 if [1]", "1"),
+        ("O01.0 if [1]", "1"),
+        ("o<1> if [1]", "1"),
+        ("o< A b > if [1]", "ab"),
+        ("o#1 if [1]", None),
+        ("o[1+1] if [1]", None),
+    ],
 )
 def test_labels_are_compared_as_the_interpreter_does(line: str, label: str | None) -> None:
     assert [bracket.label for _, bracket in Document.parse(line, DIALECT).brackets()] == [label]

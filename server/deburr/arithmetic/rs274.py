@@ -53,7 +53,11 @@ def _operation(text: str, part: Node, settings: Mapping[str, Any]) -> Value:
 
 
 def _two(
-    text: str, left: Node | Token, right: Node | Token, settings: Mapping[str, Any], apply: Callable[[float, float], Value]
+    text: str,
+    left: Node | Token,
+    right: Node | Token,
+    settings: Mapping[str, Any],
+    apply: Callable[[float, float], Value],
 ) -> Value:
     a, b = constant(text, left, settings), constant(text, right, settings)
     for value in (a, b):

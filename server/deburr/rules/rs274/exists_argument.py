@@ -30,4 +30,7 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the argument."""
     argument = node.children[2]
     if not isinstance(argument, Node) or argument.kind != "param" or name(line, argument) is None:
-        yield Report(Span(argument.start, argument.end), f"`{line.said(argument)}` is no named parameter; EXISTS only asks for those")
+        yield Report(
+            Span(argument.start, argument.end),
+            f"`{line.said(argument)}` is no named parameter; EXISTS only asks for those",
+        )

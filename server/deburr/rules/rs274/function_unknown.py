@@ -27,7 +27,9 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the name."""
-    yield Report(whole(problem), f"`{line.said(problem)}` is no function{_meant(line.said(problem)) or expected(problem)}")
+    yield Report(
+        whole(problem), f"`{line.said(problem)}` is no function{_meant(line.said(problem)) or expected(problem)}"
+    )
 
 
 _NAMES = ("ABS", "ACOS", "ASIN", "ATAN", "COS", "EXISTS", "EXP", "FIX", "FUP", "LN", "ROUND", "SIN", "SQRT", "TAN")

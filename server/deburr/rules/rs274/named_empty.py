@@ -27,4 +27,6 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the empty name."""
     if name(line, node) == "":
         said = node.children[1]
-        yield Report(Span(said.start, said.end), f"`{line.said(node)}` has an empty name; the control takes it for a parameter")
+        yield Report(
+            Span(said.start, said.end), f"`{line.said(node)}` has an empty name; the control takes it for a parameter"
+        )

@@ -27,10 +27,28 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the command."""
-    yield Report(whole(problem), f"`{line.said(problem)}` is no O-word command{_meant(line.said(problem)) or expected(problem)}")
+    yield Report(
+        whole(problem), f"`{line.said(problem)}` is no O-word command{_meant(line.said(problem)) or expected(problem)}"
+    )
 
 
-_COMMANDS = ["sub", "endsub", "return", "call", "if", "elseif", "else", "endif", "while", "endwhile", "do", "repeat", "endrepeat", "break", "continue"]
+_COMMANDS = [
+    "sub",
+    "endsub",
+    "return",
+    "call",
+    "if",
+    "elseif",
+    "else",
+    "endif",
+    "while",
+    "endwhile",
+    "do",
+    "repeat",
+    "endrepeat",
+    "break",
+    "continue",
+]
 
 
 def _meant(name: str) -> str:

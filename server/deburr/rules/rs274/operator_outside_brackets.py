@@ -26,4 +26,6 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the operator."""
-    yield Report(whole(problem), f"`{line.said(problem)}` calculates only inside brackets, as in `[#1{line.said(problem)}2]`")
+    yield Report(
+        whole(problem), f"`{line.said(problem)}` calculates only inside brackets, as in `[#1{line.said(problem)}2]`"
+    )

@@ -30,7 +30,10 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report what stands in the operator's place."""
-    yield Report(whole(problem), f"`{line.said(problem)}` is no operator{_MEANT.get(line.said(problem), '') or expected(problem)}")
+    yield Report(
+        whole(problem),
+        f"`{line.said(problem)}` is no operator{_MEANT.get(line.said(problem), '') or expected(problem)}",
+    )
 
 
 _MEANT = {"^": "; write `**`", "<": "; write `LT`", ">": "; write `GT`", "=": "; write `EQ`", "%": "; write `MOD`"}

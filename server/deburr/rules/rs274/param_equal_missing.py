@@ -23,4 +23,7 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the parameter."""
-    yield Report(whole(problem), f"`{line.said(problem).strip()}` is not followed by `=`; a parameter outside a value is a setting")
+    yield Report(
+        whole(problem),
+        f"`{line.said(problem).strip()}` is not followed by `=`; a parameter outside a value is a setting",
+    )

@@ -44,7 +44,9 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     # The smithy profile has no such numbers at all: there `param-range` speaks.
     known = line.settings["profile"] != "smithy" and number is not None and any(round(number) in r for r in READ_ONLY)
     if known or named is not None and _predefined(line, named):
-        yield Report(Span(param.start, param.end), f"`{line.said(param)}` can only be read; the control refuses to set it")
+        yield Report(
+            Span(param.start, param.end), f"`{line.said(param)}` can only be read; the control refuses to set it"
+        )
 
 
 def _predefined(line: Line, named: str) -> bool:

@@ -37,7 +37,13 @@ def check(analysis: "Analysis") -> Iterator[Report]:
     """Report ends without a start, and returns in the main program."""
     for fault in analysis.document.faults:
         if fault.fault is Fault.REGION_UNOPENED:
-            yield Report(fault.at.bracket.span, f"{said(fault.at.bracket)} ends no subprogram; none is open here", fault.at.line)
+            yield Report(
+                fault.at.bracket.span, f"{said(fault.at.bracket)} ends no subprogram; none is open here", fault.at.line
+            )
     for placed, _ in analysis.scopes[0].middles:
         if placed.bracket.word == "return":
-            yield Report(placed.bracket.span, f"{said(placed.bracket)} stands in no subprogram; the control stops here", placed.line)
+            yield Report(
+                placed.bracket.span,
+                f"{said(placed.bracket)} stands in no subprogram; the control stops here",
+                placed.line,
+            )

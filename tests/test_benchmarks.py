@@ -1,0 +1,102 @@
+"""The benchmarks at a tiny size: they work, their programs are clean, and a keystroke's work does not grow with the file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from unittest import mock
+
+import pytest
+from deburr.analysis import Analysis
+from deburr.modal import Modal
+from deburr.ruleset import RuleSet
+from deburr_grammar import line as line_module
+from deburr_grammar.document import Document
+
+from benchmarks import corpus, ours, rows
+from benchmarks.__main__ import main
+
+QUICK = ["--quick", "--only"]
+
+
+@pytest.mark.parametrize("make", [corpus.cam, corpus.macro, corpus.mixed])
+def test_corpora_are_clean_and_of_the_length_asked_for(make) -> None:
+    text = make(3_000)
+    assert text.count("\n") == 3_000 and text == make(3_000)
+    assert Analysis(Document.parse(text, ours.DIALECT), RuleSet(ours.DIALECT)).findings() == []
+
+
+def test_the_cam_program_is_numbered_motion_for_the_most_part() -> None:
+    lines = corpus.cam(20_000).split("\n")
+    assert 0.96 < sum(line.startswith("N") for line in lines) / len(lines) < 0.985
+
+
+def test_the_macros_are_of_many_shapes() -> None:
+    folded = ours.DIALECT.folding.fold(corpus.macro(20_000))
+    assert len(set(folded.split("\n"))) > 2_000
+
+
+@pytest.mark.parametrize("title", ["typing", "starting"])
+def test_report(title: str, tmp_path, capsys: pytest.CaptureFixture[str]) -> None:
+    report = tmp_path / "performance.md"
+    assert main([*QUICK, title, "--write", str(report)]) == 0
+    written = report.read_text(encoding="utf-8")
+    assert written.startswith("# Performance") and "Machine: " in written
+    assert capsys.readouterr().out.strip() in written
+
+
+class Work:
+    """Counts what a keystroke costs: lines parsed by Lark, lines folded to shapes, lines that the modal fold goes through."""
+
+    def __init__(self) -> None:
+        self.parsed = self.folded = self.stepped = 0
+
+    def counted(self) -> Iterator[None]:
+        parse, fold, plain = ours.DIALECT.grammar.parse, type(ours.DIALECT.folding).fold, Modal.plain
+
+        def parsing(start, text):
+            self.parsed += 1
+            return parse(start, text)
+
+        def folding(each, text):
+            self.folded += text.count("\n") + 1
+            return fold(each, text)
+
+        def stepping(each, *arguments):
+            self.stepped += 1
+            return plain(each, *arguments)
+
+        with (
+            mock.patch.object(ours.DIALECT.grammar, "parse", parsing),
+            mock.patch.object(type(ours.DIALECT.folding), "fold", folding),
+            mock.patch.object(Modal, "plain", stepping),
+        ):
+            yield
+
+
+def work_of(lines: int, stroke: ours.Keystroke, at: float) -> Work:
+    document, ruleset = Document.parse(corpus.cam(lines), ours.DIALECT), ours.ready()
+    ours.warm(document, ruleset)
+    work = Work()
+    for _ in work.counted():
+        ours.answer(document, ours.typed(document, int(document.line_count * at), stroke), ruleset)
+    return work
+
+
+@pytest.mark.parametrize("stroke", ours.KEYSTROKES, ids=lambda stroke: stroke.name)
+@pytest.mark.parametrize("at", [0.1, 0.5, 0.9])
+@pytest.mark.parametrize("lines", [1_000, 20_000])
+def test_a_keystroke_reads_the_lines_it_touches_and_folds_through_one_chunk(stroke, at: float, lines: int) -> None:
+    line_module._parse.cache_clear()
+    work = work_of(lines, stroke, at)
+    longest = 2 * 16_384 // 8
+    assert work.folded <= 2 and work.parsed <= 3
+    assert work.stepped <= longest
+
+
+def test_the_odd_programs_are_answered(tmp_path) -> None:
+    sizes = rows.Sizes(cam=500, macro=500, mixed=500, odd=3_000, places=20)
+    files = rows.Files.written(tmp_path, sizes)
+    for path in (files.mixed, *files.odd.values()):
+        _, found = ours.everything(path)
+        assert found == 0 or path != files.mixed
+        assert ours.keystrokes(path, 1)
