@@ -73,7 +73,9 @@ def code_number(text: str) -> str:
 
 
 def _entry(table: str, row: dict[str, Any]) -> Entry:
-    name = next((str(row[key]) for key in ("name", "letter", "id") if key in row), f"{row.get('first')}-{row.get('last')}")
+    name = next(
+        (str(row[key]) for key in ("name", "letter", "id") if key in row), f"{row.get('first')}-{row.get('last')}"
+    )
     known = {"name", "title", "text", "first", "last"}
     return Entry(
         table,

@@ -181,7 +181,9 @@ class Document:
     def _way(self, line: int) -> _Way:
         """The way from the root to the chunk that holds a line. What is asked of a line is often followed by more of it."""
         kept = self._last_way
-        if kept is None or not (line == kept.piece.line or kept.piece.line <= line < kept.piece.line + kept.piece.chunk.eols):
+        if kept is None or not (
+            line == kept.piece.line or kept.piece.line <= line < kept.piece.line + kept.piece.chunk.eols
+        ):
             kept = self._last_way = self._found_way(line)
         return kept
 

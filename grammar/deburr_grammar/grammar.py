@@ -91,7 +91,16 @@ class Grammar:
             return self.build()
         try:
             return Lark.load(io.BytesIO(tables[len(key) :]))
-        except (pickle.UnpicklingError, AttributeError, EOFError, ImportError, IndexError, KeyError, TypeError, ValueError):
+        except (
+            pickle.UnpicklingError,
+            AttributeError,
+            EOFError,
+            ImportError,
+            IndexError,
+            KeyError,
+            TypeError,
+            ValueError,
+        ):
             return self.build()
 
     @property
@@ -167,7 +176,12 @@ def _faulty(text: str, start: str, unexpected: Any) -> Parsed:
 def _accepted(state: Any) -> frozenset[str]:
     """The terminals that could stand next. The lookahead sets of an LALR state hold too many, so each is tried."""
     states = state.parse_conf.parse_table.states
-    return frozenset(name for name in states[state.state_stack[-1]] if name.isupper() or name == "$END" if _fits(states, state.state_stack, name))
+    return frozenset(
+        name
+        for name in states[state.state_stack[-1]]
+        if name.isupper() or name == "$END"
+        if _fits(states, state.state_stack, name)
+    )
 
 
 def _fits(states: Any, stack: list[Any], terminal: str) -> bool:

@@ -95,5 +95,3 @@ def _scan(brackets: Iterable[tuple[int, Bracket]], depth: int, forward: bool) ->
         if not depth:
             return True, (line, bracket), 0
     return False, None, depth
-
-

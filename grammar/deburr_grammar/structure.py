@@ -233,7 +233,9 @@ class _Index:
                 other = _key(fault.other.bracket) if fault.other is not None else None
                 self._at.setdefault((fault.fault, _key(fault.at.bracket), other), deque()).append(at)
 
-    def take(self, found: list[StructureFault | None], key: tuple[Fault, _Key, _Key | None], behind: int) -> StructureFault | None:
+    def take(
+        self, found: list[StructureFault | None], key: tuple[Fault, _Key, _Key | None], behind: int
+    ) -> StructureFault | None:
         """Strike out the first such fault behind a place, if there is one."""
         # What is passed over here is never asked for again: the places asked about only move down.
         waiting = self._at.get(key)

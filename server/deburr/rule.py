@@ -23,7 +23,25 @@ from deburr_grammar.tree import Node
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
-__all__ = ["Line", "Long", "Nodes", "Note", "Notice", "Noticed", "Report", "Rule", "Severity", "Structure", "Syntax", "Text", "Whole", "covers", "expected", "rule", "whole"]
+__all__ = [
+    "Line",
+    "Long",
+    "Nodes",
+    "Note",
+    "Notice",
+    "Noticed",
+    "Report",
+    "Rule",
+    "Severity",
+    "Structure",
+    "Syntax",
+    "Text",
+    "Whole",
+    "covers",
+    "expected",
+    "rule",
+    "whole",
+]
 
 
 class Note(NamedTuple):

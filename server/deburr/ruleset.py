@@ -58,7 +58,9 @@ class RuleSet:
     def _planned(self, shape: Shape, reading: Reading) -> tuple[Rule, ...]:
         facts = shape.facts(reading)
         problems = {problem.kind for problem in facts.problems}
-        plan = [rule for rule in self._on_parts if rule.short in problems or not facts.kinds.isdisjoint(self._kinds[rule])]
+        plan = [
+            rule for rule in self._on_parts if rule.short in problems or not facts.kinds.isdisjoint(self._kinds[rule])
+        ]
         # A shape is a line of its own, and the sample of all lines that share it.
         sample = LineNode(shape.text, reading, shape)
         return tuple(rule for rule in plan if not _by_shape(rule) or any(self.on_line(sample, (rule,))))
@@ -80,7 +82,9 @@ class RuleSet:
     @cached_property
     def on_text(self) -> tuple[tuple[Rule, re.Pattern[str]], ...]:
         """Rules on the text of lines, with their patterns."""
-        return tuple((rule, re.compile(rule.trigger.pattern, re.M)) for rule in self.rules if isinstance(rule.trigger, Text))
+        return tuple(
+            (rule, re.compile(rule.trigger.pattern, re.M)) for rule in self.rules if isinstance(rule.trigger, Text)
+        )
 
     @cached_property
     def on_length(self) -> tuple[tuple[Rule, int], ...]:

@@ -65,6 +65,8 @@ def test_families_are_found_by_number() -> None:
     assert codes.family("variable", 5602) is None
 
 
-@pytest.mark.parametrize(("written", "name"), [("g01", "G1"), ("G 38.20", "G38.2"), ("m 0 6", "M6"), ("G1.0", "G1"), ("G59.3", "G59.3")])
+@pytest.mark.parametrize(
+    ("written", "name"), [("g01", "G1"), ("G 38.20", "G38.2"), ("m 0 6", "M6"), ("G1.0", "G1"), ("G59.3", "G59.3")]
+)
 def test_codes_have_one_spelling(written: str, name: str) -> None:
     assert code_number(written) == name

@@ -28,11 +28,16 @@ DIALECT = Dialect(
     modality=MODALITY,
     frame="G21 G90 G17\n{}\nF100\nM2\n",
     evidence=(
-        Evidence(r"(?im)^[ \t]*/?[ \t]*(?:n[0-9]+[ \t]*)?o[ \t]*(?:<[^<>\n]+>|[0-9]+)[ \t]*(?:sub|endsub|call|if|elseif|else|endif|while|endwhile|do|repeat|endrepeat|return)\b", "an O-word with a flow command"),
+        Evidence(
+            r"(?im)^[ \t]*/?[ \t]*(?:n[0-9]+[ \t]*)?o[ \t]*(?:<[^<>\n]+>|[0-9]+)[ \t]*(?:sub|endsub|call|if|elseif|else|endif|while|endwhile|do|repeat|endrepeat|return)\b",
+            "an O-word with a flow command",
+        ),
         Evidence(r"#[ \t]*<[^<>\n]+>", "a named parameter `#<name>`"),
     ),
     settings=(
-        Setting("profile", Kind.CHOICE, "linuxcnc", "whose manual decides where the two differ", ("linuxcnc", "smithy")),
+        Setting(
+            "profile", Kind.CHOICE, "linuxcnc", "whose manual decides where the two differ", ("linuxcnc", "smithy")
+        ),
         Setting("compare", Kind.CHOICE, "1e-4", "how near two values must be to be EQ", ("1e-4", "1e-6")),
         Setting("subroutine-path", Kind.PATHS, (), "folders in which called subroutine files are looked for"),
         Setting("parameters", Kind.PATH, "", "a .var file with stored parameters"),

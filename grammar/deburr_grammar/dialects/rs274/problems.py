@@ -44,7 +44,15 @@ def diagnose(fault: SyntaxFault) -> Problem:
     return Problem(kind, start, end, () if kind in _OBVIOUS else _expected(fault))
 
 
-_OBVIOUS = {"comment-nested", "comment-unclosed", "bad-character", "named-unterminated", "o-extra-text", "percent", "number-format"}
+_OBVIOUS = {
+    "comment-nested",
+    "comment-unclosed",
+    "bad-character",
+    "named-unterminated",
+    "o-extra-text",
+    "percent",
+    "number-format",
+}
 
 Place = tuple[str, int, int]
 
@@ -141,7 +149,11 @@ def _behind_value(fault: SyntaxFault) -> Place:
     if group is not None:
         if fault.found == "$END":
             return "expression-unclosed", group.start, len(fault.text)
-        return "operator-unknown", fault.start, _closed(fault.text, fault.start) if char == "(" else _run(fault, _LETTERS)
+        return (
+            "operator-unknown",
+            fault.start,
+            _closed(fault.text, fault.start) if char == "(" else _run(fault, _LETTERS),
+        )
     if "EQUAL" in fault.expected:
         param = _last(fault, "param") or fault.inside("HASH")
         return "param-equal-missing", param.start if param else fault.start, fault.start
@@ -152,7 +164,11 @@ def _behind_value(fault: SyntaxFault) -> Place:
         deletes = before is None or before.kind == "DELETE" or after.isalpha() or after in ("", "#", "(", ";", "%")
         return "block-delete-position" if deletes else "operator-outside-brackets", fault.start, fault.start + 1
     if char in ("+", "-", "*") and before is not None:
-        return "operator-outside-brackets", fault.start, fault.start + (2 if fault.text.startswith("**", fault.start) else 1)
+        return (
+            "operator-outside-brackets",
+            fault.start,
+            fault.start + (2 if fault.text.startswith("**", fault.start) else 1),
+        )
     return "bad-character", fault.start, fault.start + 1
 
 
