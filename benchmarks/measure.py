@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import gc
+import os
 import re
 import subprocess
 from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 from statistics import median
+from tempfile import TemporaryDirectory
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
@@ -36,12 +39,19 @@ def seconds(work: Callable[[], Any]) -> float:
 
 
 def processes(commands: Sequence[Sequence[str]], times: int) -> list[float]:
-    """The median seconds that whole processes take, run in turns so that a busy machine slows all of them alike."""
+    """The median seconds that whole processes take, run in turns so that a busy machine slows all of them alike.
+
+    A first round is not counted: it compiles the modules, as an installation does.
+    """
     found: list[list[float]] = [[] for _ in commands]
-    for _ in range(times):
-        for command, taken in zip(commands, found):
-            taken.append(seconds(lambda command=command: subprocess.run(command, capture_output=True, check=False)))  # type: ignore[misc]
-    return [median(taken) for taken in found]
+    with TemporaryDirectory() as folder:
+        environment = {key: said for key, said in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
+        environment["PYTHONPYCACHEPREFIX"] = folder
+        run = partial(subprocess.run, env=environment, capture_output=True, check=False)
+        for _ in range(times + 1):
+            for command, taken in zip(commands, found):
+                taken.append(seconds(partial(run, command)))
+    return [median(taken[1:]) for taken in found]
 
 
 def growth(work: Callable[[], Any]) -> int:

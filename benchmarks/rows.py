@@ -198,4 +198,6 @@ def _size(count: float) -> str:
 
 
 def _ratio(other: float, taken: float) -> str:
+    if taken > other:
+        return f"{taken / other:.1f} × slower"
     return f"{other / taken:,.0f} × faster" if other >= 10 * taken else f"{other / taken:.1f} × faster"

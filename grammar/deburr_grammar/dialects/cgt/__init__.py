@@ -39,6 +39,7 @@ DIALECT = Dialect(
         # Digits are part of names: words and sections of different names are different things.
         protect=r"(?m:^)@\$?[A-Za-z][A-Za-z0-9_]*|#[A-Za-z][A-Za-z0-9_]*",
         inert=r"//(?<=(//))[^\n]*",
+        signs="/",
     ),
     outline=CGTOutline(),
     diagnose=diagnose,

@@ -25,6 +25,7 @@ DIALECT = Dialect(
             r"|(?<=[0-9.,)][ \t])(\()[^()\n]*(\))"
             r"|(;)[^!()\n]*(?![^\n])"
         ),
+        signs="(;",
     ),
     outline=Z32Outline(),
     diagnose=diagnose,
