@@ -58,7 +58,7 @@ def read(path: str) -> Config:
         seen.append(following)
         data = _data(following)
         found = found.over(_config(data, following))
-        following = _beside(following, data["extend"]) if "extend" in data else None
+        following = _beside(following, data["extend"]) if data.get("extend") else None
     return found
 
 

@@ -142,3 +142,20 @@ def test_labels_are_compared_as_the_interpreter_does(line: str, label: str | Non
 def test_codes_in_their_canonical_spelling() -> None:
     node = Document.parse("g01 G38.20 m 0 6 T1 M#1", DIALECT).node(0)
     assert [code for code, _ in codes(node)] == ["G1", "G38.2", "M6"]
+
+
+@pytest.mark.parametrize(
+    ("program", "expected"),
+    [
+        (
+            "M98 P100\nM30\ntext\no100\nG0 X1\nM99\ntext",
+            ["program", "program", "after-end", "program", "program", "program", "after-end"],
+        ),
+        ("M2\no100\no1 if [1]\nM99\no1 endif\nG0\nM99\ntext", ["program"] * 7 + ["after-end"]),
+        ("M2\no100\nM30\ntext", ["program", "program", "program", "after-end"]),
+        ("/M2\nG0 X1", ["program", "program"]),
+        ("G0\nM99\nG1", ["program", "program", "program"]),
+    ],
+)
+def test_programs_that_m98_calls_are_read_behind_the_end(program: str, expected: list[str]) -> None:
+    assert readings(program) == expected

@@ -108,7 +108,7 @@ def run(arguments: argparse.Namespace) -> int:
     except OSError as error:
         if isinstance(error, BrokenPipeError):
             raise
-        return unable([f"{error.filename}: {error.strerror}"])
+        return unable([f"{error.filename or 'standard output'}: {error.strerror}"])
     return result.code(arguments.exit_zero)
 
 

@@ -18,7 +18,8 @@ READINGS = (PROGRAM, AFTER_END)
 class State(NamedTuple):
     """``ended`` by M2 or M30 outside all blocks (subs that follow are still found by calls) or, for good, by a second `%` (``closed``).
 
-    ``sub``: inside a subprogram. ``dos``: labels of the `do` loops that are open, because
+    ``sub``: inside a subprogram. ``numbered``: behind the end, in a program that M98 calls: from
+    its bare `O100` to its M99. ``dos``: labels of the `do` loops that are open, because
     only they tell whether a `while` ends one or starts a loop of its own.
     """
 
@@ -26,7 +27,13 @@ class State(NamedTuple):
     ended: bool = False
     closed: bool = False
     sub: bool = False
+    numbered: bool = False
     dos: frozenset[str] = frozenset()
+
+    @property
+    def live(self) -> bool:
+        """Whether lines are read here."""
+        return not self.closed and (not self.ended or self.sub or self.numbered)
 
 
 _COMMANDS = {
@@ -52,7 +59,7 @@ class RS274Outline:
     """The fold over O-words, program ends and percent lines."""
 
     # Possessive throughout: a line of blanks must not be gone through once for each of them.
-    needs_depth = r"(?i:m[ \t]*+0*+[ \t]*+(?:2|3[ \t]*+0)[ \t]*+(?:\.[0 \t]*+)?+(?![0-9.]))"
+    needs_depth = r"(?i:m[ \t]*+0*+[ \t]*+(?:2|3[ \t]*+0|9[ \t]*+9)[ \t]*+(?:\.[0 \t]*+)?+(?![0-9.]))"
     marks = rf"(?i:^[ \t]*+/?+[ \t]*+(?:n[ \t0.]*+)?+o)|^[ \t]*+%|{needs_depth}"
 
     def facts(self, text: str) -> frozenset[str]:
@@ -65,7 +72,7 @@ class RS274Outline:
 
     def reading(self, state: State) -> Reading:
         """A line is read until the program has ended, and in subprograms behind that end."""
-        return AFTER_END if state.closed or state.ended and not state.sub else PROGRAM
+        return PROGRAM if state.live else AFTER_END
 
     def step(self, state: State, depth: int, facts: frozenset[str], read: Callable[[Reading], LineNode]) -> Step:
         """What an O-word, a program end or a percent line does."""
@@ -77,12 +84,30 @@ class RS274Outline:
         bracket = _bracket(line, state)
         if bracket is not None:
             # Behind the end only subprograms are found, so only their first line is more than text.
-            if state.ended and not state.sub and bracket.role is not Role.REGION:
+            if not state.live and bracket.role is not Role.REGION:
                 return Step(AFTER_END, (), state)
             return Step(PROGRAM, (bracket,), _behind(state, bracket))
-        if not state.sub and depth == 0 and "word" in line.kinds and _ends(line):
-            return Step(self.reading(state), (), state._replace(ended=True))
-        return Step(self.reading(state), (), state)
+        if state.ended and not state.sub and _is_number_alone(line):
+            return Step(PROGRAM, (), state._replace(numbered=True))
+        reading = self.reading(state)
+        if state.sub or depth or not state.live:
+            return Step(reading, (), state)
+        return Step(reading, (), _ended(line, state))
+
+
+def _is_number_alone(line: LineNode) -> bool:
+    """Whether a line is the bare O-word with which a program starts that M98 calls."""
+    return "o_line" in line.kinds and not line.problems
+
+
+def _ended(line: LineNode, state: State) -> State:
+    """The state behind a line outside all blocks: M2 and M30 end the program, M99 one that M98 called. With `/` the operator decides."""
+    if "DELETE" in line.kinds:
+        return state
+    found = {code for code, _ in codes(line)}
+    if found & {"M2", "M30"}:
+        return state._replace(ended=True, numbered=False)
+    return state._replace(numbered=False) if "M99" in found else state
 
 
 def _behind(state: State, bracket: Bracket) -> State:
@@ -125,7 +150,3 @@ def codes(line: LineNode) -> Iterator[tuple[str, Node]]:
         letter, value = word.children[0], word.children[1]
         if line.text[letter.start].upper() in "GM" and isinstance(value, Token):
             yield code_number(line.text[word.start : word.end]), word
-
-
-def _ends(line: LineNode) -> bool:
-    return any(code in ("M2", "M30") for code, _ in codes(line))

@@ -21,6 +21,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
+from deburr.suggest import suggestion
 from deburr_grammar.problem import Problem
 
 
@@ -33,10 +34,10 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
 
 
 _NAMES = ("ABS", "ACOS", "ASIN", "ATAN", "COS", "EXISTS", "EXP", "FIX", "FUP", "LN", "ROUND", "SIN", "SQRT", "TAN")
+_ELSEWHERE = {"INT": "FIX", "FLOOR": "FIX", "CEIL": "FUP", "LOG": "LN"}
+"""What other languages call the same."""
 
 
 def _meant(name: str) -> str:
-    from difflib import get_close_matches
-
-    near = get_close_matches("".join(name.split()).upper(), _NAMES, 1)
-    return f"; did you mean `{near[0]}`?" if near else ""
+    plain = "".join(name.split()).upper()
+    return f"; did you mean `{_ELSEWHERE[plain]}`?" if plain in _ELSEWHERE else suggestion(plain, _NAMES)

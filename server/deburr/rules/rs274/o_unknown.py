@@ -20,16 +20,15 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
+from deburr.rule import Line, Report, Severity, Syntax, rule, whole
+from deburr.suggest import suggestion
 from deburr_grammar.problem import Problem
 
 
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the command."""
-    yield Report(
-        whole(problem), f"`{line.said(problem)}` is no O-word command{_meant(line.said(problem)) or expected(problem)}"
-    )
+    yield Report(whole(problem), f"`{line.said(problem)}` is no O-word command{_meant(line.said(problem))}")
 
 
 _COMMANDS = [
@@ -52,7 +51,4 @@ _COMMANDS = [
 
 
 def _meant(name: str) -> str:
-    from difflib import get_close_matches
-
-    near = get_close_matches("".join(name.split()).lower(), _COMMANDS, 1)
-    return f"; did you mean `{near[0]}`?" if near else ""
+    return suggestion("".join(name.split()).lower(), _COMMANDS)

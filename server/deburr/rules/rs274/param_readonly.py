@@ -51,4 +51,4 @@ def check(line: Line, node: Node) -> Iterator[Report]:
 
 def _predefined(line: Line, named: str) -> bool:
     entry = line.node.dialect.codes.entry("variable", named) if named.startswith("_") else None
-    return entry is not None and entry.more.get("access") == "read" and "since" not in entry.more
+    return entry is not None and entry.more.get("access") == "read" and not {"since", "pattern"} & set(entry.more)
