@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     from deburr_grammar.line import LineNode
 
 
-@dataclass(frozen=True, slots=True)
-class Reading:
+class Reading(NamedTuple):
     """One way to read a line. ``start`` is a start rule of the grammar; None: the text is not read at all (never executed, or free text)."""
 
     name: str
@@ -102,8 +101,7 @@ class Effect(NamedTuple):
     maybe: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Modality:
+class Modality(NamedTuple):
     """How a dialect's lines change modal state. Blocks of the kinds in ``once`` run at most once each time they are reached; all others may be loops."""
 
     effect: "Callable[[LineNode], Effect]"
@@ -122,8 +120,7 @@ class Kind(Enum):
     FLAG = "true or false"
 
 
-@dataclass(frozen=True, slots=True)
-class Setting:
+class Setting(NamedTuple):
     """A key of the dialect's table in `deburr.toml`."""
 
     name: str
@@ -133,8 +130,7 @@ class Setting:
     choices: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class Evidence:
+class Evidence(NamedTuple):
     """A pattern that only this dialect's programs show; ``text`` says in words what it is."""
 
     pattern: str

@@ -1,11 +1,9 @@
 """A syntax fault as a value. Never an exception, never a severity: the rule of the same name owns page, severity and words."""
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 
-@dataclass(frozen=True, slots=True)
-class Problem:
+class Problem(NamedTuple):
     """Why a line could not be read to its end.
 
     ``kind`` is a rule name without its dialect (``comment-nested``), ``start`` and ``end``
@@ -26,8 +24,7 @@ class Part(NamedTuple):
     end: int
 
 
-@dataclass(frozen=True, slots=True)
-class SyntaxFault:
+class SyntaxFault(NamedTuple):
     """What the parser knows when it stops: the dialect turns this into a Problem.
 
     ``found`` is the terminal that does not fit ("" where no terminal matches, "$END" at the

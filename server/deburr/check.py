@@ -1,7 +1,5 @@
 """A program's bytes to its findings, in places of the file. Never opens a file, never chooses a dialect."""
 
-from dataclasses import replace
-
 from deburr.analysis import Analysis
 from deburr.finding import Finding, Place
 from deburr.host import Host
@@ -22,11 +20,11 @@ def check(
 
 def _in_file(finding: Finding, file: str, shift: int) -> Finding:
     """The finding where an editor shows it: what leads the program moves its first line."""
-    related = tuple(replace(each, place=_moved(each.place, file, shift)) for each in finding.related)
-    return replace(finding, place=_moved(finding.place, file, shift), related=related)
+    related = tuple(each._replace(place=_moved(each.place, file, shift)) for each in finding.related)
+    return finding._replace(place=_moved(finding.place, file, shift), related=related)
 
 
 def _moved(place: Place, file: str, shift: int) -> Place:
     if place.file != file or place.line > 0:
         return place
-    return replace(place, col=place.col + shift, end_col=place.end_col + (shift if place.end_line == 0 else 0))
+    return place._replace(col=place.col + shift, end_col=place.end_col + (shift if place.end_line == 0 else 0))

@@ -1,7 +1,7 @@
 """What deburr says of a program: findings as values. Never decides whether something is wrong."""
 
-from dataclasses import dataclass
 from enum import IntEnum
+from typing import NamedTuple
 
 
 class Severity(IntEnum):
@@ -17,8 +17,7 @@ class Severity(IntEnum):
         return self.name.lower()
 
 
-@dataclass(frozen=True, slots=True, order=True)
-class Place:
+class Place(NamedTuple):
     """A stretch of a file: 0-based lines and 0-based columns in code points, the end excluded."""
 
     file: str
@@ -28,16 +27,14 @@ class Place:
     end_col: int
 
 
-@dataclass(frozen=True, slots=True, order=True)
-class Related:
+class Related(NamedTuple):
     """Another place that explains a finding: the other end of a pair, a link of a chain."""
 
     place: Place
     message: str
 
 
-@dataclass(frozen=True, slots=True)
-class Finding:
+class Finding(NamedTuple):
     """One thing that is wrong at one place. ``rule`` is the full name, `rs274.comment-nested`."""
 
     rule: str

@@ -1,7 +1,5 @@
 """A document after edits is the document of its text: every answer, every dialect, any chunk size. And an edit reads only what it touched."""
 
-from dataclasses import replace
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -117,4 +115,4 @@ def test_the_check_tells_documents_apart() -> None:
     found = answers(Document.parse("o1 if [1]\nX1", dialect))
     other = answers(Document.parse("o1 if [1]\nX1 X", dialect))
     assert {name for name in found if found[name] == other[name]} < set(found)
-    assert all(found["readings"]) and replace(found["readings"][0], name="x") != found["readings"][0]
+    assert all(found["readings"]) and found["readings"][0]._replace(name="x") != found["readings"][0]

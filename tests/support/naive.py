@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 from deburr_grammar.dialect import Bracket, Dialect, Reading, Role
@@ -89,7 +89,7 @@ def told(dialect: Dialect, line: str, problems: tuple[Problem, ...]) -> tuple[Pr
     columns = dialect.folding.columns(line)
     ends = [columns(col) for col in range(len(dialect.folding.fold(line)) + 1)] if problems else []
     return tuple(
-        replace(problem, end=next((end for end in ends if problem.end <= end), problem.end)) for problem in problems
+        problem._replace(end=next((end for end in ends if problem.end <= end), problem.end)) for problem in problems
     )
 
 
