@@ -6,7 +6,7 @@ A dialect folder holds `line.lark` (the whole-line grammar), `codes.toml` and
 
 import re
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
@@ -158,9 +158,6 @@ class Dialect:
     """The smallest clean program; `{}` is where a rule's example goes."""
     evidence: tuple[Evidence, ...] = ()
     settings: tuple[Setting, ...] = ()
-    blanks: str = " \t"
-    """Characters that may stand between words."""
-    nesting: Mapping[str, int] = field(default_factory=dict)
     modality: Modality | None = None
     """None: modal state is not followed."""
 

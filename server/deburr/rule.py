@@ -16,12 +16,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from deburr.finding import Severity
 from deburr_grammar.line import LineNode
 from deburr_grammar.problem import Problem
-from deburr_grammar.structure import Fault, StructureFault
+from deburr_grammar.structure import Fault
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 if TYPE_CHECKING:
-    from deburr.analysis import Analysis
+    pass
 
 __all__ = [
     "Line",
@@ -223,9 +223,3 @@ def expected(problem: Problem) -> str:
 def whole(part: Node | Problem) -> Span:
     """The columns of a node or a problem."""
     return Span(part.start, part.end)
-
-
-LineCheck = Callable[[Line], Iterator[Report]]
-WholeCheck = Callable[["Analysis"], Iterator[Report]]
-FaultCheck = Callable[[StructureFault], Iterator[Report]]
-NoticeCheck = Callable[[Notice], Iterator[Report]]

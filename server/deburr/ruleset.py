@@ -12,7 +12,6 @@ from deburr.rule import Line, Long, Nodes, Noticed, Report, Rule, Structure, Syn
 from deburr_grammar.dialect import Dialect, Reading
 from deburr_grammar.line import LineNode, Shape
 
-Planned = Callable[[Line], Iterator[tuple[Rule, Report]]]
 _PLANS = 100_000
 
 
