@@ -158,6 +158,8 @@ class Dialect:
     """The smallest clean program; `{}` is where a rule's example goes."""
     evidence: tuple[Evidence, ...] = ()
     settings: tuple[Setting, ...] = ()
+    blanks: str = " \t"
+    """Characters that may stand between words; all else of a line is in its tree."""
     modality: Modality | None = None
     """None: modal state is not followed."""
 
