@@ -5,27 +5,20 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 from deburr.blocks import Scope, scopes
 from deburr.finding import Finding, Place, Related
 from deburr.host import Host, NoFiles
-from deburr.rule import Note, Notice, Report, Rule, Structure
+from deburr.rule import Note, Notice, Rule, Structure
 from deburr.ruleset import RuleSet
+from deburr.stateful import Said
 from deburr.suppress import allowed, is_allowed
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.document import Document, Piece
 from deburr_grammar.line import LineNode
 from deburr_grammar.structure import StructureFault
 from deburr_grammar.text import with_newlines
-
-
-class _Local(NamedTuple):
-    """A report on a line of a chunk, its line counted from the chunk's first."""
-
-    line: int
-    rule: Rule
-    report: Report
 
 
 class Analysis:
@@ -69,7 +62,7 @@ class Analysis:
         for fault in self.document.faults if self.ruleset.on_structure else ():
             found += self.fault_findings(fault)
         for rule in self.ruleset.on_whole:
-            found += [self._finding(report.line, _Local(0, rule, report)) for report in rule.check(self)]
+            found += [self._finding(report.line, Said(0, rule, report)) for report in rule.check(self)]
         found += self._noticed(self.notices)
         kept = allowed(self.document, found, self.ruleset)
         return sorted([*kept.findings, *self._noticed(kept.notices)], key=lambda finding: finding.order)
@@ -77,16 +70,18 @@ class Analysis:
     def line_findings(self, line: int) -> list[Finding]:
         """The findings that a line alone decides, but for those that a comment allows."""
         piece = self.document.piece(line)
-        on_chunk: tuple[_Local, ...] | None = piece.chunk.memo.get((self.ruleset, self.document.key(piece)))
+        on_chunk: tuple[Said, ...] | None = piece.chunk.memo.get((self.ruleset, self.document.key(piece)))
         # The line is on its own quicker than its chunk would be, of which an edit leaves nothing known.
         on_line = self._on_line(self.document.node(line), line - piece.line) if on_chunk is None else on_chunk
-        found = (self._finding(line, local) for local in on_line if piece.line + local.line == line)
+        found = [self._finding(line, local) for local in on_line if piece.line + local.line == line]
+        if stateful := self.ruleset.stateful:
+            found += [self._finding(line, said) for said in stateful.line_findings(self.document, line)]
         return [finding for finding in found if not is_allowed(self.document, finding)]
 
     def fault_findings(self, fault: StructureFault) -> list[Finding]:
         """What the rules say of a fault of structure, whether a comment allows it or not."""
         return [
-            self._finding(report.line, _Local(0, rule, report))
+            self._finding(report.line, Said(0, rule, report))
             for rule in self.ruleset.on_structure
             if isinstance(rule.trigger, Structure) and fault.fault in rule.trigger.faults
             for report in rule.check(fault)
@@ -95,43 +90,45 @@ class Analysis:
     def _noticed(self, notices: Iterable[Notice]) -> Iterator[Finding]:
         for notice in notices:
             if rule := self.ruleset.on_notice.get(notice.kind):
-                yield from (self._finding(report.line, _Local(0, rule, report)) for report in rule.check(notice))
+                yield from (self._finding(report.line, Said(0, rule, report)) for report in rule.check(notice))
 
-    def _locals(self) -> Iterator[tuple[Piece, _Local]]:
+    def _locals(self) -> Iterator[tuple[Piece, Said]]:
         for piece in self.document.pieces():
             for local in self._on_piece(piece):
                 yield piece, local
+        if stateful := self.ruleset.stateful:
+            yield from stateful.findings(self.document)
 
-    def _on_piece(self, piece: Piece) -> tuple[_Local, ...]:
+    def _on_piece(self, piece: Piece) -> tuple[Said, ...]:
         """What rules on lines say of a chunk: kept with the chunk."""
         key = (self.ruleset, self.document.key(piece))
-        found: tuple[_Local, ...] | None = piece.chunk.memo.get(key)
+        found: tuple[Said, ...] | None = piece.chunk.memo.get(key)
         if found is None:
             found = piece.chunk.memo[key] = (*self._planned(piece), *self._texts(piece), *self._long(piece))
         return found
 
-    def _on_line(self, node: LineNode, index: int) -> Iterator[_Local]:
+    def _on_line(self, node: LineNode, index: int) -> Iterator[Said]:
         """What rules on lines say of one line."""
         plan = self.ruleset.plan(node.shape, node.reading)
         if node.reading.start is not None:
             plan += tuple(rule for rule, pattern in self.ruleset.on_text if pattern.search(node.text))
             plan += tuple(rule for rule, limit in self.ruleset.on_length if len(node.text) > limit)
-        return (_Local(index, rule, report) for rule, report in self.ruleset.on_line(node, plan))
+        return (Said(index, rule, report) for rule, report in self.ruleset.on_line(node, plan))
 
-    def _planned(self, piece: Piece) -> Iterator[_Local]:
+    def _planned(self, piece: Piece) -> Iterator[Said]:
         plan = self.ruleset.plan
         for reading, first, shapes in piece.read():
             plans = {shape: planned for shape in set(shapes) if (planned := plan(shape, reading))}
             for index in (at for at, shape in enumerate(shapes, first) if shape in plans) if plans else ():
                 for rule, report in self.ruleset.on_line(piece.node(index), plans[shapes[index - first]]):
-                    yield _Local(index, rule, report)
+                    yield Said(index, rule, report)
 
-    def _texts(self, piece: Piece) -> Iterator[_Local]:
+    def _texts(self, piece: Piece) -> Iterator[Said]:
         text = with_newlines(piece.chunk.text)
         for rule, pattern in self.ruleset.on_text:
             yield from self._of_rule(rule, piece, dict.fromkeys(_matching(pattern, text)))
 
-    def _long(self, piece: Piece) -> Iterator[_Local]:
+    def _long(self, piece: Piece) -> Iterator[Said]:
         if not self.ruleset.on_length:
             return
         lengths = list(map(len, piece.chunk.lines))
@@ -140,14 +137,14 @@ class Analysis:
             if longest > limit:
                 yield from self._of_rule(rule, piece, (at for at, length in enumerate(lengths) if length > limit))
 
-    def _of_rule(self, rule: Rule, piece: Piece, lines: Iterable[int]) -> Iterator[_Local]:
+    def _of_rule(self, rule: Rule, piece: Piece, lines: Iterable[int]) -> Iterator[Said]:
         for index in lines:
             node = piece.node(index)
             if node.reading.start is not None:
                 for found, report in self.ruleset.on_line(node, (rule,)):
-                    yield _Local(index, found, report)
+                    yield Said(index, found, report)
 
-    def _finding(self, line: int, local: _Local) -> Finding:
+    def _finding(self, line: int, local: Said) -> Finding:
         rule, report = local.rule, local.report
         place = Place(self.file, line, report.span.start, line, report.span.end)
         related = tuple(self._related(note) for note in report.related)

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Line",
     "Long",
+    "Modal",
     "Nodes",
     "Note",
     "Notice",
@@ -101,6 +102,16 @@ class Nodes(NamedTuple):
     by_shape: bool = False
 
 
+class Modal(NamedTuple):
+    """The rule is called for each line that has a node of these kinds, with the modal state before it: `check(line, state)`.
+
+    Whether it says anything of a line must hang on the line's shape and on the state alone; it is
+    asked once for each pair of them. Where runs may differ the state is unknown (deburr/modal.py).
+    """
+
+    kinds: tuple[str, ...]
+
+
 class Text(NamedTuple):
     """The rule is called for each line in whose text the pattern is found: `check(line)`. The pattern must not match a line end."""
 
@@ -136,7 +147,7 @@ class Noticed(NamedTuple):
     """The rule is called for each notice of its own name: `check(notice)`; reports must name a line."""
 
 
-Trigger = Syntax | Nodes | Text | Long | Structure | Whole | Noticed
+Trigger = Syntax | Nodes | Modal | Text | Long | Structure | Whole | Noticed
 Check = Callable[..., Iterator[Report]]
 
 

@@ -8,7 +8,22 @@ from functools import cached_property
 from typing import Any
 
 from deburr.finding import Severity
-from deburr.rule import Line, Long, Nodes, Noticed, Report, Rule, Structure, Syntax, Text, Whole, covers, rules_of
+from deburr.rule import (
+    Line,
+    Long,
+    Modal,
+    Nodes,
+    Noticed,
+    Report,
+    Rule,
+    Structure,
+    Syntax,
+    Text,
+    Whole,
+    covers,
+    rules_of,
+)
+from deburr.stateful import Stateful, stateful_of
 from deburr_grammar.dialect import Dialect, Reading
 from deburr_grammar.line import LineNode, Shape
 
@@ -99,6 +114,16 @@ class RuleSet:
     def on_whole(self) -> tuple[Rule, ...]:
         """Rules on the program as a whole."""
         return tuple(rule for rule in self.rules if isinstance(rule.trigger, Whole))
+
+    @cached_property
+    def on_modal(self) -> tuple[tuple[Rule, tuple[str, ...]], ...]:
+        """Rules on modal state, with the kinds of node for which they are called."""
+        return tuple((rule, rule.trigger.kinds) for rule in self.rules if isinstance(rule.trigger, Modal))
+
+    @cached_property
+    def stateful(self) -> Stateful | None:
+        """The rules on modal state along a program's lines; None if none is on."""
+        return stateful_of(self)
 
     @cached_property
     def on_notice(self) -> Mapping[str, Rule]:

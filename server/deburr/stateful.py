@@ -1,0 +1,120 @@
+"""Rules on modal state along the lines of a program. What they say of a shape under a state is decided once; then a line costs one look-up."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from deburr.modal import modal_of
+from deburr.rule import Line
+from deburr_grammar.line import LineNode
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from deburr.modal import Modal, State
+    from deburr.rule import Report, Rule
+    from deburr.ruleset import RuleSet
+    from deburr_grammar.dialect import Bracket, Reading
+    from deburr_grammar.document import Document, Piece
+    from deburr_grammar.line import Shape
+
+_STATES = 10_000
+
+
+class Said(NamedTuple):
+    """A report on a line of a chunk, its line counted from the chunk's first."""
+
+    line: int
+    rule: Rule
+    report: Report
+
+
+class _Step(NamedTuple):
+    """A shape under a state: the rules that have something to say, and the state behind it (None: it depends on the line)."""
+
+    plan: tuple[Rule, ...]
+    after: State | None
+
+
+class Stateful:
+    """The rules on modal state of a rule set; make one with `stateful_of`."""
+
+    def __init__(self, ruleset: RuleSet, modal: Modal) -> None:
+        self._ruleset = ruleset
+        self._modal = modal
+        self._steps: dict[tuple[State, str], dict[Shape, _Step]] = {}
+
+    def findings(self, document: Document) -> Iterator[tuple[Piece, Said]]:
+        """What the rules say of a program; kept with each chunk under the state before it."""
+        state = self._modal.start
+        for piece in document.pieces():
+            key = (self, document.key(piece), state)
+            kept: tuple[tuple[Said, ...], State] | None = piece.chunk.memo.get(key)
+            if kept is None:
+                kept = piece.chunk.memo[key] = self._through(piece, state)
+            found, state = kept
+            for said in found:
+                yield piece, said
+
+    def line_findings(self, document: Document, line: int) -> Iterator[Said]:
+        """What the rules say of one line, counted from itself."""
+        node = document.node(line)
+        state = document.state(self._modal, line)
+        return self._said(node, state, self._step(state, node.reading, node.shape).plan, 0)
+
+    def _through(self, piece: Piece, state: State) -> tuple[tuple[Said, ...], State]:
+        found: list[Said] = []
+        held: dict[int, list[Bracket]] = {}
+        for index, bracket in piece.outlined.brackets:
+            held.setdefault(index, []).append(bracket)
+        lines = piece.chunk.lines if piece.chunk.marked else ()
+        for reading, first, shapes in piece.read():
+            steps = self._under(state, reading)
+            for index, shape in enumerate(shapes, first):
+                step = steps.get(shape) or self._step(state, reading, shape)
+                if step.plan:
+                    found += self._said(piece.node(index), state, step.plan, index)
+                after = step.after
+                if after is None:
+                    after = self._modal.marked(state, LineNode(lines[index], reading, shape), held.get(index, ()))
+                if after is not state:
+                    state = after
+                    steps = self._under(state, reading)
+        return tuple(found), state
+
+    def _said(self, node: LineNode, state: State, plan: tuple[Rule, ...], index: int) -> Iterator[Said]:
+        line = Line(node, self._ruleset.settings)
+        for rule in plan:
+            yield from (Said(index, rule, report) for report in rule.check(line, state))
+
+    def _under(self, state: State, reading: Reading) -> dict[Shape, _Step]:
+        key = (state, reading.name)
+        steps = self._steps.get(key)
+        if steps is None:
+            if len(self._steps) >= _STATES:
+                self._steps.clear()
+            steps = self._steps[key] = {}
+        return steps
+
+    def _step(self, state: State, reading: Reading, shape: Shape) -> _Step:
+        steps = self._under(state, reading)
+        step = steps.get(shape)
+        if step is None:
+            after = None if shape.marked else self._modal.plain(state, reading, shape)
+            step = steps[shape] = _Step(self._planned(state, reading, shape), after)
+        return step
+
+    def _planned(self, state: State, reading: Reading, shape: Shape) -> tuple[Rule, ...]:
+        if reading.start is None:
+            return ()
+        kinds = shape.facts(reading).kinds
+        asked = (rule for rule, wanted in self._ruleset.on_modal if not kinds.isdisjoint(wanted))
+        # A shape is a line of its own, and the sample of all lines that share it.
+        line = Line(LineNode(shape.text, reading, shape), self._ruleset.settings)
+        return tuple(rule for rule in asked if any(True for _ in rule.check(line, state)))
+
+
+def stateful_of(ruleset: RuleSet) -> Stateful | None:
+    """The rules on modal state; None if none is on."""
+    modal = modal_of(ruleset.dialect) if ruleset.on_modal else None
+    return Stateful(ruleset, modal) if modal is not None else None
