@@ -1,7 +1,14 @@
-"""The tables of a dialect: codes, words, functions, keywords, variables, with what hover says of each. Never interprets a line."""
+"""The tables of a dialect: codes, words, functions, keywords, variables, with what hover says of each. Never interprets a line.
 
+`codes.tables` holds what `codes.toml` and `variables.toml` say, ready to be loaded
+(`python -m deburr_grammar.tables` writes it, a test proves it fresh): reading large TOML
+files costs more than all the rest of a short check.
+"""
+
+import pickle
 import pkgutil
 import re
+import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -47,15 +54,38 @@ class CodeTable:
     def __iter__(self) -> Iterator[Entry]:
         return (entry for entries in self._tables.values() for entry in entries)
 
+    @property
+    def fresh(self) -> bool:
+        """Whether `codes.tables` is there and made from the tables as they are."""
+        return _read(self._package, "codes.tables").startswith(self._key)
+
+    def tables(self) -> bytes:
+        """What `codes.tables` should hold."""
+        return self._key + pickle.dumps(self._rows(), 4)
+
     @cached_property
     def _tables(self) -> dict[str, tuple[Entry, ...]]:
+        stored = _read(self._package, "codes.tables")
+        rows = pickle.loads(stored[len(self._key) :]) if stored.startswith(self._key) else self._rows()
+        return {table: tuple(_entry(table, row) for row in found) for table, found in rows.items()}
+
+    def _rows(self) -> dict[str, list[dict[str, Any]]]:
         import tomllib
 
-        found: dict[str, tuple[Entry, ...]] = {}
-        for file in ("codes.toml", "variables.toml"):
-            for table, rows in tomllib.loads(_read(self._package, file)).items():
-                found[table] = found.get(table, ()) + tuple(_entry(table, row) for row in rows)
+        found: dict[str, list[dict[str, Any]]] = {}
+        for text in self._texts:
+            for table, rows in tomllib.loads(text.decode("utf-8")).items():
+                found[table] = [*found.get(table, ()), *rows]
         return found
+
+    @cached_property
+    def _texts(self) -> tuple[bytes, ...]:
+        return tuple(_read(self._package, file) for file in ("codes.toml", "variables.toml"))
+
+    @cached_property
+    def _key(self) -> bytes:
+        """What the tables are made from, in short: their check sums and sizes."""
+        return b"".join(b"%d %d\n" % (zlib.crc32(text), len(text)) for text in self._texts)
 
     @cached_property
     def _by_name(self) -> dict[tuple[str, str], Entry]:
@@ -88,8 +118,8 @@ def _entry(table: str, row: dict[str, Any]) -> Entry:
     )
 
 
-def _read(package: str, file: str) -> str:
+def _read(package: str, file: str) -> bytes:
     try:
-        return (pkgutil.get_data(package, file) or b"").decode("utf-8")
+        return pkgutil.get_data(package, file) or b""
     except FileNotFoundError:
-        return ""
+        return b""

@@ -1,4 +1,4 @@
-"""Writes the prebuilt Lark tables of every dialect: `python -m deburr_grammar.tables`. Never runs when deburr is used."""
+"""Writes the prebuilt tables of every dialect, Lark's and those of its codes: `python -m deburr_grammar.tables`. Never runs when deburr is used."""
 
 from pathlib import Path
 
@@ -6,11 +6,12 @@ from deburr_grammar.dialects import NAMES, by_name
 
 
 def main() -> None:
-    """Write `line.tables` into each dialect's folder, where it is not there or of another grammar."""
+    """Write `line.tables` and `codes.tables` into each dialect's folder, where they are not there or were made from something else."""
     for dialect in map(by_name, NAMES):
-        if not dialect.grammar.fresh:
-            path = Path(__file__).parent / "dialects" / dialect.name / "line.tables"
-            path.write_bytes(dialect.grammar.tables())
+        folder = Path(__file__).parent / "dialects" / dialect.name
+        for file, source in (("line.tables", dialect.grammar), ("codes.tables", dialect.codes)):
+            if not source.fresh:
+                (folder / file).write_bytes(source.tables())
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ import deburr_grammar.dialects
 from deburr.analysis import Analysis
 from deburr.ruleset import RuleSet
 from deburr_grammar import Document, Edit, Pos
+from deburr_grammar.codes import CodeTable
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.grammar import Grammar
@@ -26,7 +27,7 @@ from support.strategies import fixed_cases
 
 GRAMMAR = PACKAGES[0]
 DIALECTS = GRAMMAR / "dialects"
-NEEDED = ("__init__.py", "line.lark", "line.tables", "codes.toml", "variables.toml")
+NEEDED = ("__init__.py", "line.lark", "line.tables", "codes.toml", "variables.toml", "codes.tables")
 
 
 def test_every_dialect_folder_is_listed_and_none_else() -> None:
@@ -84,6 +85,17 @@ def test_the_tables_that_ship_are_fresh(name: str) -> None:
     assert grammar.tables()[: len(grammar._key)] == stored[: len(grammar._key)]
     loaded, built = Grammar(by_name(name).package, by_name(name).starts)._lark, grammar.build()
     assert rules(loaded) == rules(built)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_codes_that_ship_are_fresh(name: str) -> None:
+    """What is loaded is what the TOML files say, entry for entry."""
+    package = by_name(name).package
+    assert CodeTable(package).fresh, "run `python -m deburr_grammar.tables`"
+    built = CodeTable("deburr_grammar.dialects")
+    built.__dict__["_texts"] = CodeTable(package)._texts
+    assert not built.fresh
+    assert list(CodeTable(package)) == list(built)
 
 
 def rules(lark: Lark) -> tuple[list[str], list[str]]:
