@@ -1,0 +1,122 @@
+"""What an interpreter works in: programs, files, inputs, budget, and where its lines go. Knows no language, opens no file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+
+from deburr.fault import Fault, Frame, Halt
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from deburr.expand.source_map import SourceMap
+    from deburr.host import Host
+    from deburr.ruleset import RuleSet
+    from deburr_grammar.document import Document
+
+SLICE = 2_000
+"""Executed steps between two moments at which a run can be left."""
+EXACT = 400
+"""So many decimals hold the shortest text of every number that there is."""
+
+
+class Program(NamedTuple):
+    """A program to run: its path and its document."""
+
+    file: str
+    document: Document
+
+
+class Budget(NamedTuple):
+    """How much a run may do: executed steps and emitted lines; 0 is no limit."""
+
+    steps: int = 1_000_000
+    blocks: int = 1_000_000
+
+
+class Inputs(NamedTuple):
+    """What the operator and the machine would give.
+
+    ``define``: values by the language's own names. ``block_delete``: the operator's switch; None: not known.
+    ``simulate``: values that only a machine has are answered as the stand-alone interpreter does.
+    ``decimals``: at most so many in computed values; None: as the dialect has it. ``partial``: what was
+    produced before a fault is wanted.
+    """
+
+    define: Mapping[str, str] = {}
+    block_delete: bool | None = None
+    simulate: bool = False
+    keep_n: bool = False
+    decimals: int | None = None
+    partial: bool = False
+
+
+class Sink(Protocol):
+    """Where flat lines go."""
+
+    def line(self, text: str) -> None:
+        """One line, without its ending."""
+
+
+class Job:
+    """One run. An interpreter is `run(job)`, a generator that yields every `SLICE` steps; it ends by itself, or with a `Halt`."""
+
+    def __init__(
+        self,
+        programs: Sequence[Program],
+        ruleset: RuleSet,
+        host: Host,
+        sink: Sink,
+        inputs: Inputs | None = None,
+        budget: Budget | None = None,
+        source_map: SourceMap | None = None,
+    ) -> None:
+        self.programs = tuple(programs)
+        self.ruleset = ruleset
+        self.host = host
+        self.inputs = inputs or Inputs()
+        self.budget = budget or Budget()
+        self.faults: list[Fault] = []
+        """What the run met, in order; each place and kind once."""
+        self.emitted = 0
+        self.steps = 0
+        self.cut = False
+        """Whether the budget ended the run."""
+        self._line = sink.line
+        self._map = source_map
+        self._met: set[tuple[str, str, int, Span]] = set()
+
+    @property
+    def settings(self) -> Mapping[str, Any]:
+        """The dialect's settings."""
+        return self.ruleset.settings
+
+    def emit(self, text: str, file: str, row: int, frame: Frame | None) -> None:
+        """A flat line and where it comes from (0-based row)."""
+        if self.emitted == self.budget.blocks and self.emitted:
+            self.cut = True
+            limit = f"the flat program has more than {self.emitted:,} lines; --max-blocks sets another limit"
+            raise Halt(Fault("limit", file, row, Span(0, 0), limit, frame))
+        self.emitted += 1
+        self._line(text)
+        if self._map is not None:
+            self._map.add(file, row, frame)
+
+    def slice(self, file: str, row: int, frame: Frame | None, where: str = "") -> int:
+        """How many steps may be done before the next yield. ``where`` names what the run is in: a loop and its variable's last values."""
+        left = self.budget.steps - self.steps if self.budget.steps else SLICE
+        if left <= 0:
+            self.cut = True
+            inside = f", last in {where}" if where else ""
+            limit = f"more than {self.budget.steps:,} lines were executed{inside}; --max-steps sets another limit"
+            raise Halt(Fault("limit", file, row, Span(0, 0), limit, frame))
+        found = min(SLICE, left)
+        self.steps += found
+        return found
+
+    def meet(self, fault: Fault) -> None:
+        """Report something that does not stop the run; the same at the same place is reported once."""
+        key = (fault.kind, fault.file, fault.line, fault.span)
+        if key not in self._met:
+            self._met.add(key)
+            self.faults.append(fault)

@@ -1,0 +1,82 @@
+"""What a bounded run of a program meets, as findings. Never judges severity: the rule of a fault's name does."""
+
+from __future__ import annotations
+
+from itertools import islice
+from typing import TYPE_CHECKING
+
+from deburr.expand import Budget, Inputs, Job, Program, drive, interpreter
+from deburr.fault import Entered
+from deburr.finding import Finding, Place, Related
+from deburr.rule import Report
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from deburr.analysis import Analysis
+    from deburr.fault import Fault, Frame
+    from deburr.ruleset import RuleSet
+
+BLOCKS = 200_000
+"""Executed blocks after which a run that only checks is left."""
+_SHOWN = 10
+"""Calls and loops that a finding lists."""
+_SAID = {
+    Entered.CALL: "called here",
+    Entered.FILE: "read from here",
+    Entered.LOOP: "in pass {} of the loop that starts here",
+    Entered.SECTION: "run from here",
+    Entered.JUMP: "reached by the jump here",
+}
+
+
+def ran(analysis: Analysis, inputs: Inputs | None = None, blocks: int = BLOCKS) -> list[Finding]:
+    """The findings of a run with these inputs. What a machine, an operator or a missing input would decide ends it in silence, and so does the bound."""
+    module = interpreter(analysis.dialect.name)
+    if module is None or not module.worth_running(analysis.document):
+        return []
+    program = Program(analysis.file, analysis.document)
+    job = Job((program,), analysis.ruleset, analysis.host, _Nowhere(), inputs, Budget(blocks, 0))
+    for _ in drive(job):
+        pass
+    faults = job.faults[:-1] if job.cut else job.faults
+    return [found for fault in faults for found in _reported(fault, analysis)]
+
+
+def worded(fault: Fault, ruleset: RuleSet, line: str) -> Finding:
+    """A fault in the words of its rule. ``line`` is the text of the line at which it was met."""
+    rule = ruleset.named(fault.kind)
+    assert rule is not None, f"a run met `{fault.kind}`, of which there is no rule"
+    report = next(iter(rule.met(fault))) if rule.met is not None else Report(fault.span, fault.message)
+    start, end = report.span
+    if start == end:
+        start, end = len(line) - len(line.lstrip()), max(len(line.rstrip()), 1)
+    place = Place(fault.file, fault.line, start, fault.line, end)
+    return Finding(rule.name, ruleset.severity(rule), report.message, place, tuple(_stack(fault.stack)))
+
+
+def _reported(fault: Fault, analysis: Analysis) -> Iterator[Finding]:
+    rule = analysis.ruleset.named(fault.kind)
+    if rule in analysis.ruleset.rules and not (rule is not None and rule.input):
+        yield worded(fault, analysis.ruleset, _line(fault, analysis))
+
+
+def _line(fault: Fault, analysis: Analysis) -> str:
+    if fault.file == analysis.file:
+        return analysis.document.line(fault.line)
+    lines = (analysis.host.read(fault.file) or "").split("\n")
+    return lines[fault.line] if fault.line < len(lines) else ""
+
+
+def _stack(stack: Frame | None) -> Iterator[Related]:
+    """The calls, files and loop passes around a fault, innermost first."""
+    for frame in islice(stack.outward(), _SHOWN) if stack is not None else ():
+        place = Place(frame.file, frame.row, 0, frame.row, 0)
+        yield Related(place, _SAID[frame.kind].format(frame.number))
+
+
+class _Nowhere:
+    """Lines that nobody wants."""
+
+    def line(self, text: str) -> None:
+        """Nothing."""
