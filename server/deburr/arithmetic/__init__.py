@@ -16,3 +16,12 @@ class ArithmeticFault:
     rule: str
     part: Node | Token
     why: str
+
+
+class Refusal(Exception):
+    """Inside arithmetic and interpreters: the control refuses an operation. ``rule`` is a short name, ``why`` in the user's words."""
+
+    def __init__(self, rule: str, why: str) -> None:
+        super().__init__(why)
+        self.rule = rule
+        self.why = why

@@ -1,4 +1,4 @@
-"""RS274's arithmetic on literal values (spec/rs274.md §3). A value that only the run knows is None."""
+"""RS274's operators and functions (spec/rs274.md §3), and what literal values come to. A value that only the run knows is None."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from deburr.arithmetic import ArithmeticFault
+from deburr.arithmetic import ArithmeticFault, Refusal, extended
 from deburr_grammar.tree import Node, Token
 
 Value = float | ArithmeticFault | None
@@ -29,111 +29,164 @@ def constant(text: str, part: Node | Token, settings: Mapping[str, Any]) -> Valu
             inner = constant(text, part.children[1], settings)
             return -inner if isinstance(inner, float) and text[part.start] == "-" else inner
         case "function":
-            return _function(text, part, settings)
+            name, value = spelled(text, part.children[0]), constant(text, part.children[1], settings)
+            return _tried(function(name), part, part, value)
         case "atan":
-            return _two(text, part.children[1], part.children[3], settings, _atan)
+            y, x = (constant(text, part.children[at], settings) for at in (1, 3))
+            return _tried(atan, part, part, y, x)
         case "sum" | "product" | "quotient" | "modulo" | "power" | "comparison" | "logical":
             return _operation(text, part, settings)
         case _:
             return None
 
 
+def operation(sign: str, near: float) -> Callable[[float, float], float]:
+    """A binary operator; it raises `Refusal` where the control refuses. ``near``: how near two values are that are EQ."""
+    return _OPERATORS[sign] if sign not in _COMPARED else _COMPARED[sign](near)
+
+
+def function(name: str) -> Callable[[float], float]:
+    """A function of one value; it raises `Refusal` where the control refuses."""
+    return _FUNCTIONS[name]
+
+
+def atan(y: float, x: float) -> float:
+    """ATAN[y]/[x]: the angle of a direction in degrees, over -180 up to 180."""
+    return extended.degrees(math.atan2(y, x))
+
+
+def spelled(text: str, part: Node | Token) -> str:
+    """An operator's or a function's canonical spelling."""
+    return "".join(text[part.start : part.end].split()).upper()
+
+
 def _operation(text: str, part: Node, settings: Mapping[str, Any]) -> Value:
     left, sign, right = part.children
-    operator = "".join(text[sign.start : sign.end].split()).upper()
-
-    def apply(a: float, b: float) -> Value:
-        if operator == "/" and b == 0:
-            return ArithmeticFault("divide-by-zero", right, "a division by zero")
-        if operator == "**" and a < 0 and b != math.floor(b):
-            return ArithmeticFault("domain", part, "a negative number raised to a power that is no integer")
-        return _finite(lambda: _OPERATORS[operator](a, b, TOLERANCE[settings["compare"]]), part)
-
-    return _two(text, left, right, settings, apply)
-
-
-def _two(
-    text: str,
-    left: Node | Token,
-    right: Node | Token,
-    settings: Mapping[str, Any],
-    apply: Callable[[float, float], Value],
-) -> Value:
+    found = operation(spelled(text, sign), TOLERANCE[settings["compare"]])
     a, b = constant(text, left, settings), constant(text, right, settings)
-    for value in (a, b):
+    if a is None and b == 0 and found is _divided:
+        # Only a divisor decides alone: whatever is divided, the control refuses a zero.
+        a = 1.0
+    return _tried(lambda *values: found(*values), part, right, a, b)
+
+
+def _tried(apply: Callable[..., float], part: Node, divisor: Node | Token, *values: Value) -> Value:
+    """A result, or the first fault, or what the control refuses; None if a value is not known."""
+    for value in values:
         if isinstance(value, ArithmeticFault):
             return value
-    if a is None and isinstance(b, float) and apply is not _atan:
-        # Only a divisor decides alone: whatever is divided, the control refuses a zero.
-        fault = apply(1.0, b)
-        return fault if isinstance(fault, ArithmeticFault) and fault.rule == "divide-by-zero" else None
-    return apply(a, b) if isinstance(a, float) and isinstance(b, float) else None
-
-
-def _function(text: str, part: Node, settings: Mapping[str, Any]) -> Value:
-    name = "".join(text[part.children[0].start : part.children[0].end].split()).upper()
-    value = constant(text, part.children[1], settings)
-    if not isinstance(value, float):
-        return value
-    refuses, why = _DOMAINS.get(name, (None, ""))
-    if refuses is not None and refuses(value):
-        return ArithmeticFault("domain", part, why)
-    calculate = _FUNCTIONS.get(name)
-    return _finite(lambda: calculate(value), part) if calculate is not None else None
-
-
-def _finite(calculate: Callable[[], float], part: Node) -> Value:
+    if None in values:
+        return None
     try:
-        value = calculate()
-    except (OverflowError, ValueError, ZeroDivisionError):
-        value = math.inf
-    return value if math.isfinite(value) else ArithmeticFault("not-finite", part, "a result that is no finite number")
+        return apply(*values)
+    except Refusal as refused:
+        return ArithmeticFault(refused.rule, divisor if refused.rule == "divide-by-zero" else part, refused.why)
 
 
-def _atan(y: float, x: float) -> float:
-    return math.atan2(y, x) * 180.0 / math.pi
+def _finite(value: float) -> float:
+    if value - value != 0:
+        raise Refusal("not-finite", "a result that is no finite number")
+    return value
+
+
+def _added(a: float, b: float) -> float:
+    return _finite(a + b)
+
+
+def _subtracted(a: float, b: float) -> float:
+    return _finite(a - b)
+
+
+def _multiplied(a: float, b: float) -> float:
+    return _finite(a * b)
+
+
+def _divided(a: float, b: float) -> float:
+    if b == 0:
+        raise Refusal("divide-by-zero", "a division by zero")
+    return _finite(a / b)
 
 
 def _modulo(a: float, b: float) -> float:
     """Never negative, whatever the signs."""
     if b == 0:
-        return math.nan
+        raise Refusal("not-finite", "a result that is no finite number")
     rest = math.fmod(a, b)
     return rest + abs(b) if rest < 0 else rest
 
 
-_OPERATORS: dict[str, Callable[[float, float, float], float]] = {
-    "+": lambda a, b, _: a + b,
-    "-": lambda a, b, _: a - b,
-    "*": lambda a, b, _: a * b,
-    "/": lambda a, b, _: a / b,
-    "MOD": lambda a, b, _: _modulo(a, b),
-    "**": lambda a, b, _: math.pow(a, b),
-    "EQ": lambda a, b, near: float(abs(a - b) < near),
-    "NE": lambda a, b, near: float(abs(a - b) >= near),
-    "GT": lambda a, b, _: float(a > b),
-    "LT": lambda a, b, _: float(a < b),
-    "GE": lambda a, b, near: float(a >= b or near < 1e-4 and abs(a - b) < near),
-    "LE": lambda a, b, near: float(a <= b or near < 1e-4 and abs(a - b) < near),
-    "AND": lambda a, b, _: float(bool(a) and bool(b)),
-    "OR": lambda a, b, _: float(bool(a) or bool(b)),
-    "XOR": lambda a, b, _: float(bool(a) != bool(b)),
+def _power(a: float, b: float) -> float:
+    if a < 0 and b != math.floor(b):
+        raise Refusal("domain", "a negative number raised to a power that is no integer")
+    try:
+        return _finite(math.pow(a, b))
+    except (OverflowError, ValueError):
+        raise Refusal("not-finite", "a result that is no finite number") from None
+
+
+def _tolerant(exact: Callable[[float, float], bool]) -> Callable[[float], Callable[[float, float], float]]:
+    """GE and LE: newer controls take near values for equal."""
+
+    def of(near: float) -> Callable[[float, float], float]:
+        if near < TOLERANCE["1e-4"]:
+            return lambda a, b: 1.0 if exact(a, b) or abs(a - b) < near else 0.0
+        return lambda a, b: 1.0 if exact(a, b) else 0.0
+
+    return of
+
+
+_COMPARED: dict[str, Callable[[float], Callable[[float, float], float]]] = {
+    "EQ": lambda near: lambda a, b: 1.0 if abs(a - b) < near else 0.0,
+    "NE": lambda near: lambda a, b: 1.0 if abs(a - b) >= near else 0.0,
+    "GE": _tolerant(lambda a, b: a >= b),
+    "LE": _tolerant(lambda a, b: a <= b),
 }
+_OPERATORS: dict[str, Callable[[float, float], float]] = {
+    "+": _added,
+    "-": _subtracted,
+    "*": _multiplied,
+    "/": _divided,
+    "MOD": _modulo,
+    "**": _power,
+    "GT": lambda a, b: 1.0 if a > b else 0.0,
+    "LT": lambda a, b: 1.0 if a < b else 0.0,
+    "AND": lambda a, b: 1.0 if a and b else 0.0,
+    "OR": lambda a, b: 1.0 if a or b else 0.0,
+    "XOR": lambda a, b: 1.0 if bool(a) != bool(b) else 0.0,
+}
+
+
+def _within(refuses: Callable[[float], bool], why: str, function: Callable[[float], float]) -> Callable[[float], float]:
+    def applied(a: float) -> float:
+        if refuses(a):
+            raise Refusal("domain", why)
+        return function(a)
+
+    return applied
+
+
+def _exponential(a: float) -> float:
+    try:
+        return math.exp(a)
+    except OverflowError:
+        raise Refusal("not-finite", "a result that is no finite number") from None
+
+
+def _half_away(a: float) -> float:
+    return float(math.floor(a + 0.5) if a >= 0 else -math.floor(-a + 0.5))
+
+
 _FUNCTIONS: dict[str, Callable[[float], float]] = {
     "ABS": abs,
-    "ACOS": lambda a: math.acos(a) * 180.0 / math.pi,
-    "ASIN": lambda a: math.asin(a) * 180.0 / math.pi,
-    "EXP": math.exp,
+    "ACOS": _within(lambda a: abs(a) > 1, "ACOS of a number outside -1 to 1", lambda a: extended.degrees(math.acos(a))),
+    "ASIN": _within(lambda a: abs(a) > 1, "ASIN of a number outside -1 to 1", lambda a: extended.degrees(math.asin(a))),
+    "COS": extended.cosine,
+    "EXP": _exponential,
     "FIX": lambda a: float(math.floor(a)),
     "FUP": lambda a: float(math.ceil(a)),
-    "LN": math.log,
-    "ROUND": lambda a: float(math.floor(a + 0.5) if a >= 0 else -math.floor(-a + 0.5)),
-    "SQRT": math.sqrt,
-}
-"""SIN, COS and TAN are missing on purpose: the control calculates them in 80-bit numbers, so no double is their value."""
-_DOMAINS: dict[str, tuple[Callable[[float], bool], str]] = {
-    "ACOS": (lambda a: abs(a) > 1, "ACOS of a number outside -1 to 1"),
-    "ASIN": (lambda a: abs(a) > 1, "ASIN of a number outside -1 to 1"),
-    "LN": (lambda a: a <= 0, "LN of a number that is not above 0"),
-    "SQRT": (lambda a: a < 0, "the square root of a negative number"),
+    "LN": _within(lambda a: a <= 0, "LN of a number that is not above 0", math.log),
+    "ROUND": _half_away,
+    "SIN": extended.sine,
+    "SQRT": _within(lambda a: a < 0, "the square root of a negative number", math.sqrt),
+    "TAN": extended.tangent,
 }
