@@ -92,13 +92,15 @@ class Effect(NamedTuple):
     ``codes``: its codes in their canonical spelling, and the letters of other words that stay in
     force. ``arrives``: a jump can end here, so nothing is known before it. ``leaves``: text
     elsewhere runs before the next line, or codes that only the run knows. ``maybe``: whether the
-    line runs at all is the operator's choice.
+    line runs at all is the operator's choice. ``unsets``: groups that hold nothing behind it,
+    unless a code of the line sets them.
     """
 
     codes: tuple[str, ...] = ()
     arrives: bool = False
     leaves: bool = False
     maybe: bool = False
+    unsets: tuple[str, ...] = ()
 
 
 class Modality(NamedTuple):

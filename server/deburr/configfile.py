@@ -11,6 +11,7 @@ from typing import Any
 from deburr import paths
 from deburr.config import Config, ConfigError, Glob, Graded, Value
 from deburr.finding import Severity
+from deburr.formats.toml import line_of
 from deburr.schema import Fault, Free, faults, tables
 from deburr.selection import Selection
 from deburr_grammar.dialect import Kind, Setting
@@ -60,30 +61,6 @@ def read(path: str) -> Config:
         found = found.over(_config(data, following))
         following = _beside(following, data["extend"]) if data.get("extend") else None
     return found
-
-
-def line_of(text: str, path: tuple[str, ...]) -> int | None:
-    """The line on which a key of a TOML file stands, as far as it is spelled plainly; else that of the table around it."""
-    table: tuple[str, ...] = ()
-    best = (0, 0)
-    for number, line in enumerate(text.split("\n"), 1):
-        if header := re.match(r"\s*\[\[?([^\[\]]+)\]", line):
-            here = table = _keys(header[1])
-        elif key := _KEY.match(line):
-            here = (*table, *_keys(key[1]))
-        else:
-            continue
-        if path[: len(here)] == here and len(here) > best[0]:
-            best = (len(here), number)
-    return best[1] or None
-
-
-_PART = r"""(?:"[^"]*"|'[^']*'|[\w-]+)"""
-_KEY = re.compile(rf"\s*({_PART}(?:\s*\.\s*{_PART})*)\s*=")
-
-
-def _keys(said: str) -> tuple[str, ...]:
-    return tuple(match[0].strip("\"'") for match in re.finditer(_PART, said))
 
 
 def _data(path: str) -> dict[str, Any]:

@@ -19,7 +19,16 @@ CHECK = (
     Setting("fail-on", Kind.CHOICE, "error", "the least severity for which `deburr check` exits 1", LEVELS),
     Setting("run", Kind.FLAG, True, "also report what a bounded run of the program meets"),
 )
-MACHINE = (Setting("limits", Kind.TABLE, {}, "the travel of each axis, `X = [0, 300]`"),)
+
+
+def _limit(axis: str, limit: Any) -> str:
+    if not re.fullmatch("[A-Z]", axis):
+        return f"`{axis}` is no axis letter"
+    numbers = isinstance(limit, list) and [type(each) in (int, float) for each in limit] == [True, True]
+    return "" if numbers and limit[0] <= limit[1] else f"the limits of `{axis}` must be two numbers, the lower first"
+
+
+MACHINE = (Setting("limits", Kind.TABLE, {}, "the travel of each axis, `X = [0, 300]`", each=_limit),)
 
 Path = tuple[str, ...]
 
@@ -88,8 +97,8 @@ def _setting(path: Path, key: str, value: Any, schema: tuple[Setting, ...], name
         yield Fault((*path, key), f"`{key}` {message}")
     elif path == ("check",) and setting.kind is Kind.LIST:
         yield from (Fault((*path, key), said) for name in value if (said := unknown(name)))
-    elif path == ("machine",):
-        yield from (Fault((*path, key, axis), said) for axis, limit in value.items() if (said := _limit(axis, limit)))
+    elif setting.each is not None:
+        yield from (Fault((*path, key, name), said) for name, of in value.items() if (said := setting.each(name, of)))
 
 
 def wrong(setting: Setting, value: Any) -> str:
@@ -128,13 +137,6 @@ def _ignores(pattern: str, value: Any) -> str:
     if not isinstance(value, list) or not all(isinstance(each, str) for each in value):
         return f"`{pattern}` must be a list of rules, not {_kind(value)}"
     return next((said for name in value if (said := unknown(name))), "")
-
-
-def _limit(axis: str, limit: Any) -> str:
-    if not re.fullmatch("[A-Z]", axis):
-        return f"`{axis}` is no axis letter"
-    numbers = isinstance(limit, list) and [type(each) in (int, float) for each in limit] == [True, True]
-    return "" if numbers and limit[0] <= limit[1] else f"the limits of `{axis}` must be two numbers, the lower first"
 
 
 def _or(words: tuple[str, ...]) -> str:

@@ -65,6 +65,20 @@ def count(shell, *arguments):
         ("[files]\n'*.x' = 'rs27'", ":2", '"rs27" is no dialect; did you mean `rs274`?'),
         ("[machine]\nlimits = { X = [300, 0] }", ":2", "the limits of `X` must be two numbers, the lower first"),
         ("[machine.limits]\nx = [0, 1]", ":2", "`x` is no axis letter"),
+        (
+            "[z32]\npal = { 300 = 5, 12 = 1 }",
+            ":2",
+            "`12` in `pal` is no index of the machine's parameters, PAL[256] to PAL[512]",
+        ),
+        ("[z32.pal]\n255 = 1", ":2", "`255` in `pal` is no index of the machine's parameters, PAL[256] to PAL[512]"),
+        ("[z32.pal]\n256 = 1\n513 = 1", ":3", "`513` in `pal` is no index of the machine's parameters"),
+        ("[z32.pal]\n'0300' = 1", ":2", "`0300` in `pal` is no index of the machine's parameters"),
+        ("[z32.pal]\n'PAL[300]' = 1", ":2", "`PAL[300]` in `pal` is no index of the machine's parameters"),
+        ("[z32.pal]\n300 = 5\n301 = '5'", ":3", "`301` in `pal` must be an integer, the only values that PAL holds"),
+        ("[z32.pal]\n301 = 2.5", ":2", "`301` in `pal` must be an integer, the only values that PAL holds"),
+        ("[z32.pal]\n301 = inf", ":2", "`301` in `pal` must be an integer, the only values that PAL holds"),
+        ("[z32.pal]\n301 = true", ":2", "`301` in `pal` must be an integer, the only values that PAL holds"),
+        ("[z32]\npal = 5", ":2", "`pal` must be a table, not a number"),
         ("extend = 'nothing.toml'", "", "No such file or directory"),
         ("extend = 'deburr.toml'", "", "`extend` goes round in a circle"),
         ("extend = 3", ":1", "`extend` must be a text, not a number"),
@@ -79,6 +93,14 @@ def test_errors(shell, text, place, message):
     assert ran.err.startswith(f"deburr: error: {(shell.folder / file).as_posix()}{place}: {message}"), ran.err
     assert shell.run("explain-dialect", "a.ngc").code == 2
     assert shell.run("config", "a.ngc").code == 2
+
+
+def test_values_of_machine_parameters_reach_the_rules(tmp_path):
+    path = tmp_path / "deburr.toml"
+    path.write_text("[z32]\npal = { 256 = -1, 300 = 5.0, 512 = 0 }\n")
+    file = (tmp_path / "a.z32").as_posix()
+    settings = RuleSets().of(by_name("z32"), Configs().of(file), file).settings
+    assert settings["pal"] == {"256": -1, "300": 5.0, "512": 0}
 
 
 def test_all_errors_of_a_file_are_said(shell):

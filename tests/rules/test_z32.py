@@ -101,9 +101,186 @@ def test_triggers(lines: str, expected: str) -> None:
     check_marked(lines, expected)
 
 
+SET = {
+    "jump-target-duplicate": "the trigger is two blocks N150, and a jump to them is what they are at fault for",
+    "jump-first-line": "the frame's first line is a comment, so that no trigger stands there",
+    "range-end-missing": "only the last block is meant to be missing; without N1 the jump has no target either",
+    "range-end-active": "the trigger is a block N2 with words, as the end of a range",
+    "range-open-at-end": "the trigger is a whole program whose range ends before its last block",
+    "program-missing": "the control may hold program 9; only where the folder or the sections are known is it missing for certain",
+    "file-missing": "the control may hold the file; only below a file root that can be listed is it missing for certain",
+    "axis-unknown": "the trigger is any letter that the setting `axes` lacks; as an address it is a parameter, in G25 it must be an axis",
+    "g26-missing": "the trigger is a program that something calls",
+    "call-depth": "the trigger is a program that calls itself, or 33 that call each other",
+    "fcepp-position": "the trigger is a block before the line",
+    "text-after-end": "the trigger is a block behind M30",
+    "label-unused": "it is off unless it is asked for",
+}
+"""Rules whose trigger of the table is none by itself, and why lines are set beside it."""
+
+RUN = ("pal-machine-value", "read-before-set", "optional-state", "limit")
+"""Rules of the table on which only a run can decide, or an input that was not given."""
+
+VERBATIM = [
+    ("comment-unclosed", "(oops"), ("comment-nested", "(a (b) c)"), ("advanced-unterminated", "!X=0"), ("advanced-empty-field", "!X=0;;Y=1!"),
+    ("advanced-mixed", "G0 X1 !HA=1!"), ("advanced-movement", "!G0 X1!"), ("advanced-movement", "!X10!"), ("field-unknown", "!FOO!"),
+    ("field-unreachable", "!GOP1;HA=2!"), ("if-syntax", "!IF HA; GON1!"), ("if-empty", "!IF HA>1!"),
+    ("if-falls-through", "!IF HA>1; HA=1! HA=0!"), ("relational-outside-if", "HA<X>Y>"), ("relational-outside-if", "!HA=X<Y!"),
+    ("number-format", "X."), ("number-format", "X1.2.3"), ("number-format", "X1 2"), ("number-digits", "X1234567.12345"),
+    ("g-expression", "G<HA>"), ("g-conflict", "G0 G1 X1"), ("angle-unclosed", "HA<X+1"), ("angle-depth", "HA" + "<" * 21 + "1" + ">" * 21),
+    ("paren-unclosed", "HA<(X+1>"), ("paren-depth", "HA<" + "(" * 11 + "1" + ")" * 11 + ">"), ("expression-syntax", "HA<X+>"),
+    ("function-unknown", "HA<SQ(2)>"), ("function-paren", "HA<SN 30>"), ("divide-by-zero", "HA<1/0>"), ("domain", "HA<RQ(-1)>"),
+    ("index-range", "PAL[513]1"), ("index-range", "PAR[-1]1"), ("index-not-integer", "PAR[1.5]1"), ("pal-read-only", "PAL[256]1"),
+    ("pal-rounded", "PAL[1]2.5"), ("same-block-use", "HA10 X<HA>"), ("parameter-unknown", "!QQ=1!"),
+    ("parameter-reserved", "!PI=3!"), ("parameter-reserved", "!N=3!"), ("jump-target-missing", "!GON150!"), ("jump-expression", "!GON<HA>!"),
+    ("program-number", "!GOP<1.5>!"), ("file-outside", "!:L254-..\\X!"), ("g26-outside", "G26"), ("alias-unset", "AA1"),
+    ("alias-form", "G25XX"), ("alias-form", "G25XXY"), ("alias-order", "G25XZY"), ("fcepp-unknown", "$FCEPP('X')"),
+    ("fcepp-spelling", "$FECPP('INIT_VAR_SYST')"), ("html-entity", "HA&ltX+Y>"),
+]  # fmt: skip
+"""Triggers of the table as they stand there."""
+
+
+@pytest.mark.parametrize(("rule", "trigger"), VERBATIM)
+def test_a_trigger_of_the_table_gives_its_rule_alone(rule: str, trigger: str) -> None:
+    assert [(name, line) for name, line, *_ in found(Z32.frame.replace("{}", trigger))] == [(rule, 1)]
+
+
+def test_each_rule_of_the_table_is_triggered_or_said_to_need_more() -> None:
+    own = {rule.short for rule in rules_of("z32") if rule.check.__module__.startswith("deburr.rules.z32")}
+    settled = {"word-syntax", "lower-case"}
+    assert own - set(RUN) == {rule for rule, _ in VERBATIM} | set(SET) | settled
+    assert not {rule for rule, _ in VERBATIM} & {*SET, *RUN}
+
+
 @pytest.mark.parametrize("lines", ["X<HA>", "X<PAL[300]>", "/!HA=1!", "!GOP9!", "!:L254-NO\\FILE!", "N1\n!GON1!"])
 def test_what_only_a_run_can_tell_is_left_to_it(lines: str) -> None:
     check_marked(lines)
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        ("!GON10-N20!\nM30\nN10 X1\nM30\nN20", ["range-open-at-end 0 N20"]),
+        ("!GON10-N20!\nM30\nN10 X1\nN20", []),
+        ("!GON10-N20!\nM30\nN10 X1\n/M30\nN20", []),
+        ("!GON10-N20!\nM30\nN10 X1\n!IF HA>1; GON20!\nM30\nN20", []),
+        ("!GON10-N20!\nM30\nN10 X1\n!GON20!\nM30\nN20", []),
+        ("!GON10-N20!\nM30\nN10 X1\n!GON10!\nN20", ["range-open-at-end 0 N20"]),
+        ("!GON10-N20!\nM30\nN10 X1\n!GON<HA>!\nM30\nN20", ["jump-expression 3 <HA>"]),
+        ("!GON10-N20!\nM30\nN10 X1\n!GON30-N40!\nM30\nN30\nN40\nN20", []),
+        ("!GON10-N20!\nM30\nN10 X1\n!GON30-N40!\nN20\nM30\nN30\nN40", []),
+        ("!GON10-N20!\nM30\nN10 X1\n!IF HA>1 GON20!\nM30\nN20", ["if-syntax 3 GON"]),
+        ("N5\nN20\n!GON10-N20!\nM30\nN10 X1\n!GON5!", []),
+        ("!GON10-N20!\n!GON30-N40!\nM30\nN10 X1\nN40\nM30\nN20\nM30\nN30 X1\n!GON40!", ["range-open-at-end 0 N20"]),
+    ],
+)  # fmt: skip
+def test_ranges_that_never_return(lines: str, expected: list[str]) -> None:
+    check_marked(lines, *expected)
+
+
+@pytest.mark.parametrize(
+    ("section", "expected"),
+    [
+        ("X1", ["g26-missing 3 X1"]),
+        ("X1\nG26", []),
+        ("X1\n/G26", ["g26-missing 4 /G26"]),
+        ("X1\nM2", []),
+        ("", ["g26-missing 2 :1"]),
+        ("!IF HA>1; GON10!\nX1\nG26\nN10 X2", ["g26-missing 6 N10 X2"]),
+        ("!IF HA>1; GON10!\nX1\nG26\nN10 X2\nG26", []),
+        ("!GON10-N20!\nG26\nN10 X2\nN20", []),
+        ("N10 X1\n!GON10!", []),
+        ("N10 X1\n!IF HA>1; GON10!", ["g26-missing 4 !IF HA>1; GON10!"]),
+        ("N10 X1\n!IF HA>1; GON10; EB! GON10!", []),
+        ("!GOP3!", ["g26-missing 3 !GOP3!"]),
+    ],
+)
+def test_sections_that_run_off_their_end(section: str, expected: list[str]) -> None:
+    check_marked(f"!GOP1!\nM30\n:1\n{section}\n:2\nX5\n:3\nG26", *expected)
+
+
+def test_a_subprogram_that_runs_off_its_end_is_said_at_its_first_call() -> None:
+    files = {"cmos/1.z32": "X1\nG26\n", "cmos/2.z32": "X1\n", "cmos/more": ":3\nX1\n:4\nG26\n", "cmos-temp/2": "G26\n"}
+    calls = "!GOP1!\n!GOP2!\n!GOP2!\n!GOP3!\n!GOP4!\n!GOS2!\n!GOP<HA>!\nM30\n"
+    assert found(calls, files, cmos_dir="cmos") == [("g26-missing", 1, 4, 5), ("g26-missing", 3, 4, 5)]
+
+
+def test_calls_are_counted_to_the_deepest() -> None:
+    def nested(depth: int) -> str:
+        sections = "".join(f":{n}\n!GOP{n + 1}!\nG26\n" for n in range(1, depth))
+        return f"!GOP1!\nM30\n{sections}:{depth}\nG26\n"
+
+    assert found(nested(32)) == []
+    assert found(nested(33)) == [("call-depth", 96, 4, 6)]
+    assert found(nested(40)) == [("call-depth", 96, 4, 6)]
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        ("!GOP1!\nM30\n:1\n!GOP1!\nG26", ["call-depth 3 1"]),
+        ("!GOP1!\nM30\n:1\n!IF HA>1; GOP1!\nG26", []),
+        ("!GOP1!\nM30\n:1\n/!GOP1!\nG26", []),
+        ("!GOP1!\nM30\n:1\n!IF HA>9; GON10!\n!GOP1!\nN10\nG26", []),
+        ("!GOP1!\nM30\n:1\n!GOP2!\n!GOP1!\nG26\n:2\nM30", []),
+        ("!GOP2!\nM30\n:1\n!GOP2!\nG26\n:2\n!HA=1; GOP1!\nG26", ["call-depth 3 2"]),
+        ("!GOP1!\nM30\n:1\n!GOP<HA>!\nG26", []),
+    ],
+)
+def test_programs_that_call_themselves(lines: str, expected: list[str]) -> None:
+    check_marked(lines, *expected)
+
+
+def test_a_file_that_calls_itself() -> None:
+    files = {"root/A.z32": "!:L254-B!\nG26\n", "root/B.z32": "!:L254-A!\nG26\n"}
+    assert found("!:L254-A!\nM30\n", files, file_root="root") == [("call-depth", 0, 7, 8)]
+
+
+@pytest.mark.parametrize(
+    ("lines", "way_out"),
+    [
+        ("!GON150!\nN15 X1", "did you mean N15?"),
+        ("!GON150!\nN140 X1\nN160 X1\nN510 X1", "did you mean N510? the nearest are N140 and N160"),
+        ("!GON150!\nN1500 X1\nN200 X1", "did you mean N1500? the nearest is N200"),
+        ("!GON150!\nN10 X1\nN140 X1\nN155 X1\nN900", "the nearest are N140 and N155"),
+        ("!GON150!\nN10 X1\nN140 X1", "the nearest is N140"),
+        ("!GON150!", "no block has a number"),
+        ("!GON1-N150!\nN1\nN145", "the nearest is N145"),
+        ("!GOP4!\n:1\n:2", "there are 1, 2"),
+        ("!AH=1!", "did you mean `HA`?"),
+        ("!LY=1!", "did you mean `LX`?"),
+        ("HA<SIN(30)>", "did you mean `SN`?"),
+        ("$FCEP('SET_FILEROOT','A')", "did you mean `$FCEPP`?"),
+        ("$FCEPP('SETFILEROOT','A')", "did you mean 'SET_FILEROOT'?"),
+        ("FCEPP('SET_FILEROOT','A')", "did you mean `$FCEPP`?"),
+        ("!GONE10!", "did you mean `GON`?"),
+        ("!GOTO10!", "`GON` with its number"),
+        ("!GOP N5!", "`GOP5`"),
+        ("!HA:=5!", "`HA=5`"),
+        ("!PALL[1]=5!", "did you mean `PAL[1]=5`?"),
+        ("!PAR(1)=5!", "`PAR[1]=5`"),
+        ("!L254-A\\B!", "`:L254-A\\B`"),
+        ("HA=HB+1 ;next", "`!HA=HB+1!`"),
+        ("!HA<HB+1>!", "`HA=HB+1`"),
+    ],
+)
+def test_messages_name_what_may_be_meant(lines: str, way_out: str) -> None:
+    ruleset = RuleSet(Z32)
+    (finding,) = Analysis(Document.parse(Z32.frame.replace("{}", lines), Z32), ruleset).findings()
+    assert way_out in finding.message
+
+
+def test_files_are_suggested() -> None:
+    files = {"root/SUBS/POCKET.z32": "G26\n", "root/DRILL": "G26\n"}
+    program = "!:L254-SUBS\\POKET!\n!:L254-POCKET!\n!:L254-DRIL!\n!:L254-QQQ!\nM30\n"
+    ruleset = RuleSet(Z32, {"file-root": "root"})
+    said = [f.message for f in Analysis(Document.parse(program, Z32), ruleset, "", MemoryHost(files)).findings()]
+    assert [message.partition("did you mean ")[2] for message in said] == [
+        "`SUBS\\POCKET`?",
+        "`SUBS\\POCKET`?",
+        "`DRILL`?",
+        "",
+    ]
 
 
 SOURCES = [
@@ -227,7 +404,7 @@ def test_an_alias_may_be_set_by_a_jump_a_caller_or_a_called_program() -> None:
     assert found("AA1\nG26\n") == []
     check_marked("!GOP<HA>!\nAA1")
     check_marked("!GON20!\nN10 AA1\nM30\nN20 G25XYZ\n!GON10!")
-    check_marked("AA1 AB2 AA3", "alias-unset 0 AA", "alias-unset 0 AB")
+    check_marked("AA1 AB2 AA3\nAC4", "alias-unset 0 AA")
 
 
 def test_text_behind_the_end_is_live_where_a_jump_or_a_call_reaches_it() -> None:
@@ -262,7 +439,7 @@ def test_nothing_is_said_of_a_title() -> None:
 def test_severities_are_those_of_the_reference() -> None:
     warnings = {
         "advanced-empty-field", "allow-unused", "field-unreachable", "if-empty", "g-conflict", "pal-rounded", "same-block-use", "parameter-unknown",
-        "jump-first-line", "range-end-active", "fcepp-spelling", "html-entity",
+        "jump-first-line", "range-end-active", "range-open-at-end", "g26-missing", "fcepp-spelling", "html-entity",
     }  # fmt: skip
     infos = {"if-falls-through", "jump-expression", "alias-order", "label-unused", "text-after-end", "lower-case"}
     own = {rule.short: rule for rule in rules_of("z32") if rule.check.__module__.startswith("deburr.rules.z32")}

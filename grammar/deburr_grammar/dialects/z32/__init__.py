@@ -1,5 +1,8 @@
 """D.Electron Z32 with parameters and advanced lines: `spec/z32.md`."""
 
+import re
+from typing import Any
+
 from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting
 from deburr_grammar.dialects.z32.outline import READINGS, Z32Outline
 from deburr_grammar.dialects.z32.problems import WORDS, diagnose
@@ -7,6 +10,16 @@ from deburr_grammar.shape import Folding
 
 _NAME = r"(?:[A-Za-z]{1,2}|PA[LR][ \t]*\[[^\]\n]*\])"
 _FIELD = rf"(?:IF\b|EB\b|CP\b|PC\b|GO[NPS][ \t]*(?:[0-9.]|<|&lt)|:[ \t]*L254[ \t]*-|{_NAME}[ \t]*=)"
+
+
+def _machine_value(index: str, value: Any) -> str:
+    """What is wrong with a value of the setting `pal` (spec/z32.md §5): only the machine's own can be given, and PAL holds integers."""
+    if not re.fullmatch("[1-9][0-9]{0,2}", index) or not 256 <= int(index) <= 512:
+        return f"`{index}` in `pal` is no index of the machine's parameters, PAL[256] to PAL[512]"
+    if isinstance(value, bool) or not isinstance(value, int | float) or value != value // 1:
+        return f"`{index}` in `pal` must be an integer, the only values that PAL holds"
+    return ""
+
 
 DIALECT = Dialect(
     name="z32",
@@ -46,6 +59,12 @@ DIALECT = Dialect(
         ),
         Setting("file-root", Kind.PATH, "", "folder below which the files of L254 calls are found"),
         Setting("axes", Kind.TEXT, "XYZABC", "letters of the machine's axes"),
-        Setting("pal", Kind.TABLE, {}, "values of PAL[256] to PAL[512], which only the machine writes: `{ 300 = 5 }`"),
+        Setting(
+            "pal",
+            Kind.TABLE,
+            {},
+            "values of PAL[256] to PAL[512], which only the machine writes: `{ 300 = 5 }`",
+            each=_machine_value,
+        ),
     ),
 )

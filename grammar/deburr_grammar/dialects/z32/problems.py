@@ -41,6 +41,7 @@ _LETTERS = re.compile(r"[A-Za-z_$]+")
 _ALIKE = re.compile(r"[A-Za-z_$]+|[0-9.,]+|\([^()]*\)?|;.*")
 _GROUP = re.compile(r"\([^()]*\)")
 _RELATION = re.compile(r"(?:[<>=]|&[lg]t)+")
+_SECTION = re.compile(r":(?:[ \t]*[0-9.,]+|[^ \t;(!]*)")
 _FIELD_END = re.compile(r"[ \t]*(?:[;!]|$)")
 _NAMES = ("NAME", "OTHER", "ALIAS_NAME", "RESERVED", "VECTOR")
 _ADDRESSES = (*_NAMES, "other", "alias_name", "reserved", "vector", "N", "G", "G26", "M_END")
@@ -136,6 +137,8 @@ def _plain(fault: SyntaxFault) -> Place:
         start = started[0].start if started else fault.start
         end = _FIELD_END.search(fault.text, max(fault.start, start))
         return "field-unknown", start, end.start() if end else len(fault.text)
+    if section := _SECTION.match(fault.text, fault.start):
+        return "word-syntax", fault.start, section.end()
     before = fault.before
     if "DOLLAR" in {token.kind for token in fault.tokens}:
         return "word-syntax", fault.tokens[0].start, len(fault.text.rstrip())

@@ -8,5 +8,11 @@ ORDERS = ("XYZ", "YZX", "ZXY")
 
 
 def letters(line: Line, alias: Node) -> str:
-    """The letters behind `G25`, in upper case."""
+    """What stands behind `G25`, in upper case."""
     return line.said(alias).upper().rpartition("5")[2]
+
+
+def axes(line: Line, alias: Node) -> str:
+    """The three different letters that a G25 names; empty if it does not."""
+    named = letters(line, alias)
+    return named if len(named) == 3 and named.isalpha() and len(set(named)) == 3 else ""

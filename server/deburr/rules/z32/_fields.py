@@ -43,3 +43,29 @@ def empty_places(advanced: Node) -> Iterator[tuple[Token, Token]]:
             and right.kind != "TAIL"
         ):
             yield left, right
+
+
+def goes_on(advanced: Node) -> bool:
+    """Whether a run can go on with the next line: not if it jumps whatever the conditions are."""
+    reached, skips = True, False
+    for group in groups(advanced):
+        reached, skips = reached or skips, False
+        for field in group if reached else ():
+            if field.kind in ("stop", "call", "file_call"):
+                return True
+            skips = skips or field.kind == "if"
+            if field.kind == "jump":
+                reached = False
+                break
+    return reached or skips
+
+
+def certain(advanced: Node) -> Node | None:
+    """The jump, call or EB that ends the line on every run; None if a condition comes first, or there is none."""
+    for group in groups(advanced):
+        for field in group:
+            if field.kind == "if":
+                return None
+            if field.kind in STOPS:
+                return field
+    return None

@@ -1,8 +1,8 @@
 """What rules on the whole program share: lines by what stands in them, block numbers, jumps, sections. Kept with each chunk."""
 
 import re
-from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator, Mapping, Sequence
 from posixpath import basename, dirname, join, normpath
 from typing import NamedTuple
 from weakref import WeakKeyDictionary
@@ -48,6 +48,20 @@ def lines(analysis: Analysis, *kinds: str) -> Iterator[tuple[int, LineNode]]:
         held = _held(analysis, piece)
         for index in sorted(set().union(*(held.get(kind, ()) for kind in kinds))):
             yield piece.line + index, piece.node(index)
+
+
+def numbers_of(analysis: Analysis, *kinds: str) -> Sequence[int]:
+    """The numbers of the lines that hold one of some kinds of parts; kept with the analysis."""
+    key = ("z32 numbers", kinds)
+    if key not in analysis.memo:
+        analysis.memo[key] = [at for at, _ in lines(analysis, *kinds)]
+    found: Sequence[int] = analysis.memo[key]
+    return found
+
+
+def within(numbers: Sequence[int], first: int, before: int) -> Sequence[int]:
+    """The numbers from ``first`` to before ``before``, of some in order."""
+    return numbers[bisect_left(numbers, first) : bisect_left(numbers, before)]
 
 
 def first_block(analysis: Analysis) -> int | None:
@@ -139,7 +153,7 @@ def entries(analysis: Analysis) -> set[float] | None:
 
 def sections(analysis: Analysis) -> list[int]:
     """The lines that start a section."""
-    return [line for line, _ in lines(analysis, "section")]
+    return list(numbers_of(analysis, "section"))
 
 
 def section_of(starts: list[int], line: int) -> int:
@@ -156,15 +170,16 @@ def is_main(analysis: Analysis) -> bool:
     if not stores.isdisjoint(dirname(analysis.file).split("/")[-1:]) and dirname(analysis.file):
         return False
     starts = sections(analysis)
-    last = _last_block(analysis, starts[0] if starts else analysis.document.line_count)
+    last = last_block(analysis, 0, starts[0] if starts else analysis.document.line_count)
     if last is None or "M_END" not in analysis.document.node(last).kinds:
         return False
     reached, value = entries(analysis), number_of(analysis.document.line(last))
     return value is None or (reached is not None and value not in reached)
 
 
-def _last_block(analysis: Analysis, before: int) -> int | None:
-    numbers = range(before - 1, -1, -1)
+def last_block(analysis: Analysis, first: int, before: int) -> int | None:
+    """The last line that does anything, of those from ``first`` to before ``before``."""
+    numbers = range(before - 1, first - 1, -1)
     return next((at for at in numbers if not BLOCK.isdisjoint(analysis.document.node(at).kinds)), None)
 
 

@@ -1,6 +1,7 @@
 """Block and advanced line on one line.
 
-A line is either a block with words or an advanced line; the control does not read the two together.
+A line is either a block with words or an advanced line; the control does not read the two together
+and refuses the line.
 
 Source: spec/z32.md §1
 

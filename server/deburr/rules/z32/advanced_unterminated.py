@@ -1,6 +1,7 @@
 """Advanced line without its last `!`.
 
-An advanced line starts and ends with `!`. A `;` with no `!` behind it separates nothing.
+An advanced line starts and ends with `!`; the control refuses one that is never closed. A `;` with
+no `!` behind it separates nothing.
 
 Source: spec/z32.md §2
 
@@ -10,11 +11,14 @@ Bad:
     ^^^^
     N10 !HA=1;HB=2
         ^^^^^^^^^^
+    !IF HA>10; HA=10
+    ^^^^^^^^^^^^^^^^
 
 Good:
 
     !X=0!
     N10 !HA=1;HB=2! ;two values
+    !IF HA>10; HA=10!
 """
 
 from collections.abc import Iterator

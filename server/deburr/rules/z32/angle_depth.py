@@ -1,6 +1,7 @@
 """More than 20 `<` open at once.
 
-The control nests expressions 20 deep, index brackets in between included.
+The control nests expressions 20 deep, those in index brackets included, and refuses the line
+beyond that. A `<` around a single value is not needed, parentheses do as well.
 
 Source: spec/z32.md §7
 

@@ -1,6 +1,7 @@
 """Expression without its `>`.
 
-A calculated value stands between `<` and `>`.
+A calculated value stands between `<` and `>`; where the `>` is missing the control cannot tell where
+it ends and refuses the line.
 
 Source: spec/z32.md §3
 
@@ -27,6 +28,6 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the expression."""
-    yield Report(
-        whole(problem), f"`{line.said(problem)}` is never closed, so the control cannot read the line; `>` is missing"
-    )
+    message = f"`{line.said(problem)}` is never closed, so the control cannot read the line; `>` is missing"
+    stores = "!" in line.text[: problem.start]
+    yield Report(whole(problem), message + (", or the `IF` before a comparison" if stores else ""))

@@ -1,7 +1,7 @@
 """Letter in G25 that is no axis.
 
 Which letters are axes is set up per machine (setting `axes`); AA, AB and AC cannot stand for
-any other address.
+any other address. In a word, a letter that is no axis is a parameter of the control.
 
 Source: spec/z32.md §5, §6.5
 
@@ -23,7 +23,7 @@ Good (axes=XYZUVW):
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.z32._alias import letters
+from deburr.rules.z32._alias import axes
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
@@ -31,8 +31,8 @@ from deburr_grammar.tree import Node
 @rule(Severity.ERROR, Nodes(("axis_alias",)))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the letters."""
-    named, axes = letters(line, node), line.settings["axes"].upper()
-    for col, letter in enumerate(named, node.end - len(named)) if len(named) == 3 else ():
-        if letter not in axes:
-            message = f"`{letter}` is no axis of this machine ({axes}); if it should be, add it to the setting `axes`"
+    known = line.settings["axes"].upper()
+    for col, letter in enumerate(axes(line, node), node.end - 3):
+        if letter not in known:
+            message = f"`{letter}` is no axis of this machine ({known}); if it should be, add it to the setting `axes`"
             yield Report(Span(col, col + 1), message)

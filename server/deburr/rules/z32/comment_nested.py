@@ -1,6 +1,7 @@
 """Comment inside a comment.
 
-A comment ends at the first `)`: what stands behind it is read as words again.
+A comment ends at the first `)`: what stands behind it is read as words again, and the control
+refuses it or, worse, moves.
 
 Source: spec/z32.md §2, §11
 

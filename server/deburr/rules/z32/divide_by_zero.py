@@ -1,8 +1,8 @@
 """Division by zero.
 
-Source: spec/z32.md §4
+The control stops at a division by 0. Reported are divisors that are 0 whatever the parameters hold.
 
-The control stops at a division by 0. Reported are divisors that are 0 on every run.
+Source: spec/z32.md §4
 
 Bad:
 
@@ -12,9 +12,12 @@ Bad:
         ^^^^^
     !HA=1/SN(180)!
           ^^^^^^^
+    G1 X<60/(3-3)> F200
+            ^^^^^
 
 Good:
 
+    G1 X<60/(4-1)> F200
     HA<1/0.5>
     X<0/2>
 """

@@ -1,6 +1,7 @@
 """Expression that cannot be calculated.
 
-A value is missing, an operator is missing between two values, or an index lacks its bracket.
+A value is missing, an operator is missing between two values, or an index lacks its bracket. The
+control refuses the line.
 
 Source: spec/z32.md §3
 

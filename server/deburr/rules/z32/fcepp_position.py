@@ -1,6 +1,7 @@
 """`$FCEPP` behind the first block.
 
-It sets up the emulator before the program starts; behind the first block it comes too late.
+It sets up the emulator before the program starts. Behind the first block it comes too late: that
+block already ran without it.
 
 Source: spec/z32.md §6.6
 

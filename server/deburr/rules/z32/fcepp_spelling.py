@@ -1,6 +1,7 @@
 """`$FECPP` for `$FCEPP`.
 
-The heading of the manual spells it so, its examples do not. It is read as `$FCEPP`.
+The heading of the manual spells it so, its examples do not. It is read as `$FCEPP` here; the
+emulator may not know it.
 
 Source: spec/z32.md §6.6
 

@@ -8,7 +8,6 @@ Source: spec/z32.md §6.2
 
 Bad:
 
-    :1
     !GOP1;HA=2!
           ^^^^
     !IF HA>1; EB; HB=2! HA=0!
@@ -16,7 +15,6 @@ Bad:
 
 Good:
 
-    :1
     !IF HA>1; GOP1! HA=2!
     !IF HA>1; GOP1; EB! HA=2!
 """

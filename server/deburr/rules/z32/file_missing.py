@@ -24,6 +24,7 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.z32._program import beside, lines
+from deburr.rules.z32._stores import found_files, nearest_file
 from deburr_grammar.text import Span
 
 
@@ -38,18 +39,8 @@ def check(analysis: Analysis) -> Iterator[Report]:
         for call in node.find("file_call"):
             path = call.children[1]
             said = node.text[path.start : path.end]
-            if ".." not in said and not _exists(analysis, beside(analysis, root), said):
-                message = f"there is no file `{said}` below `{root}`; the control stops at this call"
+            if ".." not in said and not found_files(analysis.host, beside(analysis, root), said):
+                near = nearest_file(analysis.host, beside(analysis, root), said)
+                hint = f"; did you mean `{near}`?" if near else ""
+                message = f"there is no file `{said}` below `{root}`; the control stops at this call{hint}"
                 yield Report(Span(path.start, path.end), message, at)
-
-
-def _exists(analysis: Analysis, folder: str, path: str) -> bool:
-    """Whether the file is there, with any extension; the control does not tell upper from lower case."""
-    folders = [folder]
-    *inner, last = [part for part in path.replace("\\", "/").split("/") if part not in ("", ".")] or [""]
-    for part in inner:
-        folders = [
-            f"{each}/{name}" for each in folders for name in analysis.host.names(each) if name.upper() == part.upper()
-        ]
-    names = (name.upper() for each in folders for name in analysis.host.names(each))
-    return any(name == last.upper() or name.startswith(last.upper() + ".") for name in names)

@@ -1,6 +1,7 @@
 """File call that leaves the file root.
 
-Files are called from below the file root; a path with more `..` than folders leads out of it.
+Files are called from below the file root. A path with more `..` than folders leads out of it, where
+the control does not look: it stops.
 
 Source: spec/z32.md §6.4
 

@@ -1,6 +1,6 @@
 """Function without parentheses.
 
-The argument of a function stands in `( )`.
+The argument of a function stands in `( )`; the control refuses the line if it does not.
 
 Source: spec/z32.md §3
 
@@ -14,6 +14,7 @@ Bad:
 Good:
 
     HA<SN(30)>
+    !HA=RQ(2)+1!
 """
 
 from collections.abc import Iterator

@@ -1,8 +1,8 @@
 """Function that Z32 does not have.
 
-Source: spec/z32.md §3, §4
-
 It has SN, CS, TAN, AT, ABS, INT, NEI and RQ; the control refuses any other name before `(`.
+
+Source: spec/z32.md §3, §4
 
 Bad:
 
@@ -17,6 +17,7 @@ Good:
 
     HA<RQ(2)>
     HA<1+SN(30)>
+    !HA=NEI(HB)!
 """
 
 from collections.abc import Iterator

@@ -1,6 +1,7 @@
 """G26 in the main program.
 
-G26 ends a subprogram; in the program that the operator starts there is nothing to go back to.
+G26 ends a subprogram. In the program that the operator starts there is nothing to go back to, and
+the control stops. Reported where the main part ends in M2 or M30, so that it is certainly no subprogram.
 
 Source: spec/z32.md §6.4
 

@@ -1,6 +1,7 @@
 """Two G codes of one group in a block.
 
-They contradict each other, and the last one wins; the first does nothing.
+They contradict each other, and the last one wins; the first does nothing. A move meant as a rapid
+is then made at feed, or the other way round.
 
 Source: spec/z32.md §2
 

@@ -1,6 +1,7 @@
 """`&lt` or `&gt` in a program.
 
-The text was pasted from a web page. It is read as `<` or `>`; a control refuses it.
+The text was pasted from a web page, where `<` is written `&lt` and `>` is written `&gt`. Here they are
+read so; the control refuses them.
 
 Source: spec/z32.md §11
 

@@ -1,7 +1,7 @@
 """IF with nothing to do.
 
-If the condition holds, the next field runs; here there is none before the line goes on, so the
-IF decides nothing.
+If the condition holds, the fields up to the next `!` run; here there are none, so the IF decides
+nothing. Most often a `!` was typed for the `;` behind the condition.
 
 Source: spec/z32.md §6.2
 

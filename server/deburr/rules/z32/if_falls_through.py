@@ -1,7 +1,7 @@
 """Both branches of an IF run.
 
-When the condition holds, the fields behind the `!` run too, unless EB, a jump or a call stops
-the line before. That may be meant; an ELSE it is not.
+Behind the `!` stands what runs when the condition does not hold. It also runs when the condition
+holds, unless EB, a jump or a call ends the line before the `!`. That may be meant, but it is no ELSE.
 
 Source: spec/z32.md §6.2
 

@@ -27,6 +27,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
+from deburr.rules.z32._words import INSTRUCTIONS
 from deburr_grammar.problem import Problem
 
 
@@ -34,4 +35,29 @@ from deburr_grammar.problem import Problem
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the condition or what does not fit in it."""
     message = f"the condition cannot be read at `{line.said(problem)}`; IF takes one comparison and then `;`"
-    yield Report(whole(problem), message + expected(problem))
+    yield Report(whole(problem), message + (_hint(line, problem) or expected(problem)))
+
+
+def _hint(line: Line, problem: Problem) -> str:
+    said = line.said(problem).upper()
+    before, behind = line.text[: problem.start].rstrip(), line.text[problem.end :].lstrip()
+    if said in INSTRUCTIONS:
+        return f", which is missing before `{said}`"
+    if before.endswith("=") and said[:1] in ("=", "<", ">"):
+        return "; equal is written `=`" if said[0] == "=" else f"; write `{said[0]}=`"
+    if behind.startswith("!="):
+        return "; unequal is written `<>`"
+    return _WORDS.get(said, "")
+
+
+_WORDS = {
+    "THEN": ", which stands for `THEN`",
+    "AND": "; `IF ...; IF ...;` asks for both",
+    "OR": "; a second IF behind the next `!` asks for the other",
+    "EQ": "; equal is written `=`",
+    "NE": "; unequal is written `<>`",
+    "GT": "; greater is written `>`",
+    "LT": "; less is written `<`",
+    "GE": "; not less is written `>=`",
+    "LE": "; not greater is written `<=`",
+}

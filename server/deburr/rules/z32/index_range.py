@@ -1,8 +1,8 @@
 """Index of PAL or PAR outside 0 to 512.
 
-Source: spec/z32.md §5
-
 There are PAL[0] to PAL[512] and PAR[0] to PAR[512]; the control stops at any other index.
+
+Source: spec/z32.md §5
 
 Bad:
 

@@ -22,6 +22,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.z32._nearest import meant
 from deburr.rules.z32._program import jumps, labels
 from deburr.rules.z32._values import shown
 
@@ -31,8 +32,5 @@ def check(analysis: Analysis) -> Iterator[Report]:
     """Report the number that is jumped to."""
     for jump in jumps(analysis):
         if jump.target is not None and not labels(analysis, jump.target):
-            yield Report(
-                jump.target_span,
-                f"no block has the number N{shown(jump.target)}; the control stops at this jump",
-                jump.line,
-            )
+            message = f"no block has the number N{shown(jump.target)}, so the control stops at this jump"
+            yield Report(jump.target_span, message + meant(analysis, jump.target), jump.line)

@@ -1,6 +1,7 @@
 """Block number that nothing jumps to.
 
-Block numbers are optional; one that no jump uses only costs memory.
+Block numbers are optional; one that no jump uses only costs memory. This rule is off unless it is
+selected.
 
 Source: spec/z32.md §1
 

@@ -1,6 +1,7 @@
 """Lower-case letter in a program.
 
-Z32 programs are written in upper case. It is read all the same here; a control may refuse it.
+Z32 programs are written in upper case. Small letters are read all the same here; a control may
+refuse them. Comments and the names of files may hold any.
 
 Source: spec/z32.md §2
 

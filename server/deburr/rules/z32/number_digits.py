@@ -1,6 +1,7 @@
 """Number with more than nine digits.
 
-The control keeps nine significant digits; leading zeros do not count, all other digits written do.
+The control keeps nine significant digits and refuses more. Leading zeros do not count, all other
+digits that are written do.
 
 Source: spec/z32.md §2, §11
 

@@ -38,6 +38,8 @@ from deburr_grammar.tree import Node
 @rule(Severity.ERROR, Nodes(("bad_number", "stray", "loose")))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the number, with its sign where that is the fault."""
+    if any(problem.start <= node.start and node.end <= problem.end for problem in line.node.problems):
+        return
     start = node.start if node.kind != "loose" else len(line.text[: node.start].rstrip(" \t")) - 1
     said = line.text[start : node.end]
     match node.kind:

@@ -1,6 +1,7 @@
 """Value stored in PAL[256] to PAL[512].
 
-The logic of the machine writes these; a program can only read them.
+The logic of the machine writes these; a program can only read them, and the control stops where it
+tries to store a value.
 
 Source: spec/z32.md §5
 

@@ -29,18 +29,21 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
+from deburr.rules.z32._words import INSTRUCTIONS
 from deburr_grammar.tree import Node
-
-_INSTRUCTIONS = ("IF", "EB", "CP", "PC", "GON", "GOP", "GOS")
 
 
 @rule(Severity.ERROR, Nodes(("reserved",)))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the name."""
+    if any(problem.start == node.start for problem in line.node.problems):
+        return
     name = line.said(node).upper()
     if name == "N":
         why = "a block number stands at the start of the line"
-    elif name in _INSTRUCTIONS:
+    elif name == "O" and line.text[: node.start][-1:].isdigit():
+        why = "it is a letter, the digit is written `0`"
+    elif name in INSTRUCTIONS:
         why = "it is an instruction and stands alone between `!` and `!`"
     else:
         why = "user parameters are HA to HZ"

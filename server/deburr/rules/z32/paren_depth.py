@@ -1,6 +1,7 @@
 """More than 10 `(` open at once.
 
-The control nests parentheses 10 deep; those of functions count.
+The control nests parentheses 10 deep, those of functions included, and refuses the line beyond
+that. A part of the expression can be stored in a parameter before.
 
 Source: spec/z32.md §7
 

@@ -32,6 +32,8 @@ Good:
 """
 
 from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
+from functools import cache
 
 from deburr.analysis import Analysis
 from deburr.rule import Line, Report, Severity, Whole, rule
@@ -39,22 +41,31 @@ from deburr.rules.z32._program import beside, called, lines
 from deburr.rules.z32._stores import programs, sections_in
 from deburr_grammar.text import Span
 
+_SHOWN = 4
+"""Programs that a message names."""
+
 
 @rule(Severity.ERROR, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the number. A folder that is empty or cannot be seen, and a file without sections, decide nothing."""
-    calls = list(lines(analysis, "call"))
-    folder = analysis.settings["cmos-dir"] if calls else ""
-    for at, node in calls:
+    known = cache(lambda store: _known(analysis, store))
+    for at, node in lines(analysis, "call"):
         line = Line(node, analysis.settings)
+        folder = analysis.settings["cmos-dir"]
         for call in node.find("call"):
             number, part = called(line, call), call.children[1]
             store = f"{folder}-temp" if folder and call.children[0].kind == "GOS" else folder
-            known = programs(analysis.host, beside(analysis, store)) if store else sections_in(analysis.document.text)
-            if number is not None and known and number not in known:
+            if number is not None and known(store) and number not in known(store):
                 place = f"in `{store}`" if store else "in this file (setting `cmos-dir` names a folder)"
-                yield Report(
-                    Span(part.start, part.end),
-                    f"there is no program {number} {place}; the control stops at this call",
-                    at,
-                )
+                message = f"there is no program {number} {place}, so the control stops at this call"
+                yield Report(Span(part.start, part.end), f"{message}; {_choice(number, known(store))}", at)
+
+
+def _known(analysis: Analysis, store: str) -> AbstractSet[int]:
+    return programs(analysis.host, beside(analysis, store)) if store else sections_in(analysis.document.text)
+
+
+def _choice(number: int, known: AbstractSet[int]) -> str:
+    """The programs that there are, the nearest if they are many."""
+    near = sorted(sorted(known, key=lambda each: abs(each - number))[:_SHOWN])
+    return f"{'there is' if len(known) == 1 else 'there are' if len(known) == len(near) else 'the nearest are'} {', '.join(map(str, near))}"

@@ -1,8 +1,8 @@
 """Call of a program whose number is no integer.
 
-Source: spec/z32.md §6.4
-
 Programs of the memory are numbered with integers; the control stops at any other number.
+
+Source: spec/z32.md §6.4
 
 Bad:
 

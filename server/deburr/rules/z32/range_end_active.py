@@ -25,6 +25,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
+from deburr.rules.z32._flow import open_ranges
 from deburr.rules.z32._program import is_active, jumps, labels
 from deburr.rules.z32._values import shown
 
@@ -33,7 +34,10 @@ from deburr.rules.z32._values import shown
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the number of the block, once for all jumps."""
     seen = set()
+    never = {id(jump) for jump in open_ranges(analysis)}
     for jump in jumps(analysis):
+        if id(jump) in never:
+            continue
         if jump.end is None or jump.end_span is None or jump.end in seen:
             continue
         seen.add(jump.end)

@@ -1,6 +1,7 @@
 """Jump with a return from a block that there is not.
 
-GONn-Nm comes back when block m has been run; without it the program runs on to its end.
+GONn-Nm comes back when block m has been run; without it the program runs on to its end, and what
+stands behind the jump is not done.
 
 Source: spec/z32.md §6.3
 
@@ -21,6 +22,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.z32._nearest import meant
 from deburr.rules.z32._program import jumps, labels
 from deburr.rules.z32._values import shown
 
@@ -31,4 +33,4 @@ def check(analysis: Analysis) -> Iterator[Report]:
     for jump in jumps(analysis):
         if jump.end is not None and jump.end_span is not None and not labels(analysis, jump.end):
             message = f"no block has the number N{shown(jump.end)}, so the program never comes back from this jump"
-            yield Report(jump.end_span, message, jump.line)
+            yield Report(jump.end_span, message + meant(analysis, jump.end), jump.line)

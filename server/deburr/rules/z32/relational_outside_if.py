@@ -32,5 +32,7 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the sign."""
-    message = f"`{line.said(problem)}` compares only in the condition of an IF; here the control cannot read the line"
-    yield Report(whole(problem), message)
+    said = line.said(problem)
+    message = f"`{said}` compares only in the condition of an IF; here the control cannot read the line"
+    hint = "; if it should close an expression, the `<` is missing" if said in (">", "&gt") else ""
+    yield Report(whole(problem), message + hint)

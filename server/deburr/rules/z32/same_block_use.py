@@ -15,6 +15,7 @@ Bad:
 Good:
 
     HA10
+    G0 X<HA> Y0
     X<HA> HB<HB+1>
 """
 

@@ -1,7 +1,7 @@
 """Text that is no word, comment or `;`.
 
 A block is made of addresses with a value: `X10`, `X<HA+1>`. Assignments, IF and jumps stand
-between `!` and `!`.
+between `!` and `!`. The control refuses a line with anything else in it.
 
 Source: spec/z32.md §11
 
@@ -17,6 +17,8 @@ Bad:
        ^
     IF HA>10
     ^^
+    :1.5
+    ^^^^
 
 Good:
 
@@ -28,30 +30,56 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
+from deburr.rules.z32._words import INSTRUCTIONS, instruction_for
 from deburr_grammar.problem import Problem
 
 
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the text."""
-    said = line.said(problem)
-    yield Report(whole(problem), f"{_fault(said, line.text[problem.end :].lstrip())}{_hint(said, problem)}")
+    yield Report(whole(problem), _fault(line, problem) + _hint(line, problem))
 
 
-def _fault(said: str, behind: str) -> str:
+def _fault(line: Line, problem: Problem) -> str:
+    said, behind = line.said(problem), line.text[problem.end :].lstrip()
     if behind.startswith("="):
-        return f"`{said}=` stores a value, which stands between `!` and `!`"
+        stored = behind[1:].partition(";")[0].partition("(")[0].strip()
+        return f"`{said}=` stores a value, which stands between `!` and `!`: `!{said}={stored}!`"
+    if said.startswith(":"):
+        return _section(line, said)
+    if said.startswith("$") or "$" in said:
+        return f"`{said}` sets up nothing; a line of that sort is `NAME=$FCEPP('...')`"
+    if said.upper().startswith(("FCEPP", "FECPP")):
+        return f"`{said}` is no word; did you mean `$FCEPP`?"
     if said in ("+", "-"):
         return f"`{said}` stands before a number only; inside the brackets, `<-...>`, it changes the sign"
-    if said.isalpha() and said.upper() not in _INSTRUCTIONS:
-        return f"`{said}` has no value, so the control cannot read it as a word"
-    return f"`{said}` is no word that the control can read"
+    if said.upper() in ("PAL", "PAR"):
+        return f"`{said}` takes its index in square brackets, as in `{said.upper()}[1]`"
+    if said.upper() == "O" and line.text[: problem.start][-1:].isdigit():
+        return f"`{said}` is a letter and no part of the number before it; the digit is written `0`"
+    return f"`{said}` {_why(said)}"
 
 
-def _hint(said: str, problem: Problem) -> str:
-    if said.upper() in _INSTRUCTIONS:
-        return "; instructions stand between `!` and `!`"
-    return expected(problem) if said not in ("+", "-") else ""
+def _why(said: str) -> str:
+    if instead := instruction_for(said):
+        return f"is no word that the control can read; {instead}, between `!` and `!`"
+    if said.upper() in INSTRUCTIONS:
+        return "is no word that the control can read; instructions stand between `!` and `!`"
+    if said.isalpha():
+        return "has no value, so the control cannot read it as a word"
+    return "is no word that the control can read"
 
 
-_INSTRUCTIONS = ("IF", "EB", "CP", "PC", "GON", "GOP", "GOS")
+def _section(line: Line, said: str) -> str:
+    if said.upper().replace(" ", "").startswith(":L254"):
+        return f"`{said}` calls a file, which stands between `!` and `!`"
+    if said[1:2].isdigit() and not line.text.lstrip(" \t/").startswith(":"):
+        return f"`{said}` starts a section, which stands alone at the start of a line"
+    return f"`{said}` starts no section: its number is an integer, as in `:1`"
+
+
+def _hint(line: Line, problem: Problem) -> str:
+    said = line.said(problem)
+    told = line.text[problem.end :].lstrip().startswith("=") or said[:1] in ("+", "-", ":", "$") or "$" in said
+    told = told or said.upper().startswith(("FCEPP", "FECPP")) or said.upper() in ("O", "PAL", "PAR", *INSTRUCTIONS)
+    return "" if told or instruction_for(said) else expected(problem)
