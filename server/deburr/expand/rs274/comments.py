@@ -1,0 +1,82 @@
+"""Comments that act: what `(DEBUG,..)`, `(PRINT,..)`, `(LOG,..)` and `(ABORT,..)` come to (spec/rs274.md §1.5)."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from deburr.expand.rs274.values import name_of
+
+if TYPE_CHECKING:
+    from deburr.expand.rs274.state import State
+    from deburr.fault import Halt
+    from deburr_grammar.text import Span
+
+_ACTIVE = re.compile(r"\([ \t]*(debug|print|log|abort)[ \t]*,", re.I)
+_PART = re.compile(r"%(?:d|f|\.([0-9])f)|#[ \t]*(?:<([^<>]*)>|([0-9]+))")
+_SWITCH = 5599
+"""The parameter that turns DEBUG off."""
+_FLAT = {"debug": "(MSG,{})", "print": "(PRINT,{})", "log": "(LOG,{})"}
+
+
+class Comment:
+    """The last comment of a line. ``plain`` ones are copied."""
+
+    def __init__(self, state: State, file: str, row: int, span: Span, text: str) -> None:
+        self._state = state
+        self._place = (file, row, span)
+        self._text = text
+        match = _ACTIVE.match(text)
+        self._kind = match[1].lower() if match is not None else ""
+        self._said = text[match.end() :].removesuffix(")") if match is not None else ""
+        self.plain = match is None
+
+    def flat(self) -> str:
+        """The comment with values in place of parameters; nothing if it shows nothing."""
+        if self.plain:
+            return self._text
+        if self._kind == "debug" and self._state.params[_SWITCH] == 0:
+            return ""
+        said = self._filled()
+        if self._kind == "abort":
+            raise self._aborted(said)
+        return _FLAT[self._kind].format(said)
+
+    def _aborted(self, said: str) -> Halt:
+        file, row, span = self._place
+        return self._state.fault("abort", file, row, span, f"the program stops itself here: {said.strip()}")
+
+    def _filled(self) -> str:
+        """Formats hold until the next one on the line (spec/rs274.md §1.5)."""
+        form, found, at = "%.6f", [], 0
+        for match in _PART.finditer(self._said):
+            found.append(self._said[at : match.start()])
+            at = match.end()
+            if match[0][0] == "%":
+                form = "d" if match[0] == "%d" else f"%.{match[1] or 4}f"
+            else:
+                found.append(self._shown(form, match[2], match[3]))
+        return "".join(found) + self._said[at:]
+
+    def _shown(self, form: str, name: str | None, number: str | None) -> str:
+        value = self._value(name, number)
+        if value is None:
+            return "######"
+        return _whole(value) if form == "d" else form % value
+
+    def _value(self, name: str | None, number: str | None) -> float | None:
+        state = self._state
+        if name is not None:
+            known = name_of(name)
+            if (predefined := state.machine.named(known)) is not None:
+                return predefined(*self._place)
+            return (state.globals if known.startswith("_") else state.locals).get(known)
+        at = int(number or 0)
+        if not 1 <= at <= state.last:
+            return None
+        return state.machine.number(at, *self._place) if at in state.machine.special else state.params[at]
+
+
+def _whole(value: float) -> str:
+    """Half to even, and minus zero keeps its sign, as C prints it."""
+    return f"{value:.0f}"

@@ -1,0 +1,64 @@
+"""What an RS274 run reads besides its program: subprogram files and stored parameters. Opens nothing itself: it asks the host."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from deburr.expand.rs274.unit import Unit
+from deburr.fault import Fault, Halt
+from deburr_grammar.document import Document
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from deburr.expand.job import Job
+    from deburr.expand.rs274.state import State
+
+
+def loaded(job: Job, label: str) -> Unit | None:
+    """The file of a subprogram: its name in lower case and `.ngc`, beside the program or on the configured path (spec/oracle.md §1)."""
+    for folder in (job.programs[0].file.rpartition("/")[0], *job.settings["subroutine-path"]):
+        path = f"{folder.rstrip('/')}/{label}.ngc" if folder else f"{label}.ngc"
+        text = job.host.read(path)
+        if text is not None:
+            return Unit(path, Document.parse(text, job.ruleset.dialect))
+    return None
+
+
+def first_values(state: State) -> None:
+    """Stored parameters, then what was defined for this run: `5=1.25`, `_name=2`."""
+    for number, value in _stored(state.job):
+        state.params[number] = value
+    for name, said in state.job.inputs.define.items():
+        _define(state, name.strip().removeprefix("#"), said)
+
+
+def _stored(job: Job) -> Iterator[tuple[int, float]]:
+    """The numbers and values of a `.var` file: two numbers a line."""
+    path = job.settings["parameters"]
+    for line in (job.host.read(path) or "").split("\n") if path else ():
+        words = line.split()
+        if len(words) >= 2 and words[0].isascii() and words[0].isdigit() and 1 <= int(words[0]) <= 5601:
+            try:
+                yield int(words[0]), float(words[1])
+            except ValueError:
+                continue
+
+
+def _define(state: State, name: str, said: str) -> None:
+    try:
+        value = float(said)
+    except ValueError:
+        raise _unusable(state, f"`{name}={said}`: the value is no number") from None
+    plain = name.strip("<>").lower()
+    if plain.isascii() and plain.isdigit():
+        if not 1 <= int(plain) <= state.last:
+            raise _unusable(state, f"`{name}={said}`: parameters go from 1 to {state.last}")
+        state.params[int(plain)] = value
+    else:
+        (state.globals if plain.startswith("_") else state.locals)[plain] = value
+
+
+def _unusable(state: State, message: str) -> Halt:
+    return Halt(Fault("param-range", state.job.programs[0].file, 0, Span(0, 0), message))

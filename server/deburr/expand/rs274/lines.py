@@ -1,0 +1,156 @@
+"""One line of a program taken apart: its settings, words and comments, and how it is written flat (spec/rs274.md §4.3, §5, §7). Knows no flow."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+from deburr.expand.numbers import written
+from deburr.expand.rs274.comments import Comment
+from deburr.expand.rs274.values import Get, Put, Values
+from deburr_grammar.codes import code_number
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node, Token
+
+if TYPE_CHECKING:
+    from deburr.expand.rs274.state import State
+    from deburr_grammar.line import LineNode
+
+DECIMALS = 6
+ACTS = -1
+"""The piece of a flat line that is the comment that acts."""
+Piece = str | int
+_BLANKS = re.compile(r"[ \t]*")
+_INDENT = re.compile(r"[ \t]*\Z")
+
+
+class Word(NamedTuple):
+    """A word: its letter, what calculates its value, whether that is literal, and its code if it is a literal G or M word."""
+
+    letter: str
+    get: Get
+    literal: bool
+    code: str
+
+
+class Line:
+    """What a line without flow holds."""
+
+    def __init__(self, state: State, file: str, row: int, node: LineNode) -> None:
+        self.node = node
+        self.values = Values(state, file, row, node.text)
+        self.words: list[Word] = []
+        self.settings: list[tuple[Callable[[], Put], Get]] = []
+        self.comment: Comment | None = None
+        """The comment that acts: the last one."""
+        self._parts: list[tuple[Node | Token, int]] = []
+        for part in _parts(node.tree):
+            self._take(part)
+        acting = [part for part, _ in self._parts if part.kind in ("COMMENT", "active")]
+        self._acting = acting[-1] if acting else None
+        if self._acting is not None:
+            span = Span(self._acting.start, self._acting.end)
+            self.comment = Comment(state, file, row, span, self.values.said(self._acting))
+
+    def _take(self, part: Node | Token) -> None:
+        number = -1
+        if isinstance(part, Node) and part.kind == "setting":
+            param = part.children[0]
+            assert isinstance(param, Node)
+            self.settings.append((self.values.setter(param), self.values.value(part.children[2])))
+        elif isinstance(part, Node) and part.kind == "word":
+            number = len(self.words)
+            self.words.append(self._word(part))
+        self._parts.append((part, number))
+
+    def _word(self, part: Node) -> Word:
+        letter, value = self.node.text[part.start].upper(), part.children[1]
+        code = code_number(self.values.said(part)) if letter in "GM" and isinstance(value, Token) else ""
+        return Word(letter, self.values.value(value), _is_literal(value), code)
+
+    @property
+    def deleted(self) -> bool:
+        """Whether the line begins with `/`."""
+        return self.node.tree.find("DELETE") is not None
+
+    def codes(self) -> frozenset[str]:
+        """The literal G and M codes."""
+        return frozenset(word.code for word in self.words if word.code)
+
+    def pieces(self, leave_out: frozenset[str], keep_n: bool, instead: str = "") -> list[Piece]:
+        """The flat line: text, numbers of words whose values are to be written, and `ACTS`. Empty if nothing is left.
+
+        ``leave_out``: codes, and letters, of words that are not written. ``instead`` is written where the first of them stood.
+        """
+        at = self._start(keep_n)
+        pieces: list[Piece] = []
+        for part, number in self._parts:
+            pieces.append(self.node.text[at : part.start])
+            at = part.end
+            word = self.words[number] if number >= 0 else None
+            if part.kind == "setting":
+                at = _behind_blanks(self.node.text, at)
+            elif word is not None and (word.code in leave_out or word.letter in leave_out):
+                pieces.append(instead)
+                at = at if instead else _behind_blanks(self.node.text, at)
+                instead = ""
+            elif word is not None and not word.literal:
+                pieces += [self.node.text[part.start], number]
+            else:
+                pieces.append(ACTS if part is self._acting else self.node.text[part.start : at])
+        pieces.append(self.node.text[at:])
+        return _joined(pieces)
+
+    def _start(self, keep_n: bool) -> int:
+        """Where the flat line begins: behind block delete and line number."""
+        heads = [
+            part
+            for part in self.node.tree.children
+            if part.kind == "DELETE" or (part.kind == "line_number" and not keep_n)
+        ]
+        return _behind_blanks(self.node.text, heads[-1].end) if heads else 0
+
+
+def text_of(pieces: list[Piece], values: list[float], comment: Comment | None, decimals: int, minus_zero: bool) -> str:
+    """A flat line from its pieces and the values of its words."""
+    found = []
+    for piece in pieces:
+        if isinstance(piece, str):
+            found.append(piece)
+        elif piece == ACTS:
+            found.append(comment.flat() if comment is not None else "")
+        else:
+            found.append(written(values[piece], decimals, minus_zero))
+    return "".join(found)
+
+
+def _parts(tree: Node) -> Iterator[Node | Token]:
+    """The items of a line in order."""
+    for child in tree.children:
+        if isinstance(child, Node) and child.kind == "item":
+            yield child.children[0]
+        elif child.kind == "SEMICOLON_COMMENT":
+            yield child
+
+
+def _joined(pieces: list[Piece]) -> list[Piece]:
+    """Neighbouring text as one piece; blanks alone are nothing."""
+    joined: list[Piece] = []
+    for piece in pieces:
+        if isinstance(piece, str) and joined and isinstance(joined[-1], str):
+            joined[-1] += piece
+        elif piece != "":
+            joined.append(piece)
+    return [] if all(isinstance(piece, str) and not piece.strip() for piece in joined) else joined
+
+
+def _is_literal(value: Node | Token) -> bool:
+    while isinstance(value, Node) and value.kind == "signed":
+        value = value.children[1]
+    return isinstance(value, Token)
+
+
+def _behind_blanks(text: str, at: int) -> int:
+    match = _BLANKS.match(text, at)
+    return match.end() if match is not None else at

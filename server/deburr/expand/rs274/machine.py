@@ -1,0 +1,178 @@
+"""What an RS274 control knows besides parameters: modes, position, offsets, tool. Follows the program until only the machine could know.
+
+The stand-alone interpreter starts at zero, in millimetres, without a tool, in G54; so does
+this. Values that come from outside (probes, inputs, homes, the machine's own unit) are refused
+unless they are to be simulated; then they are what the stand-alone interpreter makes of them,
+whose own unit is the inch (spec/rs274.md §4, spec/oracle.md §1, §3). Never emits anything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from deburr.expand.rs274.modes import GETTERS, Modes
+from deburr.expand.rs274.position import AXES, Position
+from deburr.expand.rs274.tools import Tool, read_tools
+
+if TYPE_CHECKING:
+    from deburr.expand.job import Job
+    from deburr.expand.rs274.state import State
+    from deburr_grammar.text import Span
+
+Known = Callable[[str, int, "Span"], float]
+"""What reads a predefined value: it is given the place, to be named if only the machine knows."""
+_PROBED = range(5061, 5071)
+_INPUT = 5399
+_TOOL = range(5400, 5414)
+_POSITION = range(5420, 5429)
+_CHANGER = range(5600, 5602)
+_OFFSETS = range(5161, 5391)
+_VERSION = 2.9
+_OF_MACHINE = frozenset(("_current_pocket", "_selected_pocket", "_remap_level", "_task", "_vmajor", "_vminor"))
+
+
+class Machine:
+    """One control."""
+
+    state: State
+
+    def __init__(self, job: Job) -> None:
+        self._simulate = job.inputs.simulate
+        self._tools = read_tools(job)
+        self.modes = Modes()
+        self._position = Position(self, self._simulate)
+        self._tool: Tool | None = Tool(0)
+        """The tool in the spindle; None: only the machine knows."""
+        self._selected = 0
+        self._set: set[int] = set()
+        """Parameters that the program set itself."""
+        self.kept: list[int] = []
+        """Parameters that were set and move later blocks: the flat program must set them, too."""
+        self.special = frozenset((*_PROBED, _INPUT, *_TOOL, *_POSITION, *_CHANGER, *_OFFSETS))
+
+    def started(self) -> None:
+        """Stored parameters are there."""
+        state = self.state
+        if not state.params[5220]:
+            state.params[5220] = 1.0
+        state.params[5599] = 1.0
+        self._position.stored(state.params)
+
+    def number(self, at: int, file: str, row: int, span: Span) -> float:
+        """The value of a special parameter."""
+        if at in _POSITION:
+            return self._known(self._position.axis(at - _POSITION[0]), f"#{at}", "the position", file, row, span)
+        if at in _TOOL:
+            value = self._tool.value(at - _TOOL[0]) if self._tool is not None else None
+            return self._known(value, f"#{at}", "the tool in the spindle", file, row, span)
+        if at in _OFFSETS:
+            return self._offset(at, file, row, span)
+        if at in _CHANGER:
+            return self._known(0.0 if self._simulate else None, f"#{at}", "the tool changer", file, row, span)
+        what = "the input" if at == _INPUT else "the probe"
+        asked = at in self._set or self._simulate
+        return self._known(self.state.params[at] if asked else None, f"#{at}", what, file, row, span)
+
+    def named(self, name: str) -> Known | None:
+        """What reads a predefined name; None if it is none."""
+        getter = GETTERS.get(name)
+        if getter is not None:
+            modes = self.modes
+            return lambda file, row, span: getter(modes)
+        axis = AXES.find(name[1:].upper()) if len(name) == 2 and name[0] == "_" else -1
+        if axis >= 0:
+            return lambda file, row, span: self.number(_POSITION[axis], file, row, span)
+        own = self._own(name)
+        if own is not None:
+            return own
+        if name in _OF_MACHINE or name.startswith(("_hal[", "_ini[", "_abs_")):
+            return lambda file, row, span: self._outside(name, file, row, span)
+        return None
+
+    def written(self, at: int) -> None:
+        """A parameter was set by the program."""
+        if at in self.special:
+            self._set.add(at)
+            if at in _OFFSETS:
+                self._position.set_parameter(at, self.state.params[at])
+                self.kept.append(at)
+
+    def block(self, letters: Sequence[str], values: Sequence[float], maybe: bool) -> None:
+        """A block with words was executed; ``maybe``: only if the operator's switch lets it."""
+        if not letters:
+            return
+        codes = {(letter, round(value * 10)) for letter, value in zip(letters, values) if letter in "GM"}
+        words = {letter: value for letter, value in zip(letters, values) if letter not in "GM"}
+        self.modes.take(codes, words)
+        if ("M", 60) in codes or ("M", 610) in codes:
+            self._change(("M", 60) in codes, words)
+        if "T" in words:
+            self._selected = round(words["T"])
+        if ("M", 60) in codes:
+            self._tool = self._tools.get(self._selected)
+            if not self._simulate:
+                self._position.lose()
+        if ("M", 660) in codes:
+            self.state.params[_INPUT] = 0.0
+            self._set.discard(_INPUT)
+        self._position.take(codes, words)
+        if maybe:
+            self._position.lose()
+
+    def length_offset(self, tool: int | None) -> Sequence[float] | None:
+        """The offsets of a tool in millimetres; None: only the machine knows. Without a number, of the tool in the spindle."""
+        found = self._tool if tool is None else self._tools.get(tool)
+        return None if found is None else found.offsets
+
+    def probed(self, target: Sequence[float | None]) -> None:
+        """A probe move ended; the stand-alone interpreter makes up that it met its target."""
+        self._set.difference_update(_PROBED)
+        for axis, value in enumerate(target):
+            self.state.params[_PROBED[axis]] = value or 0.0
+        self.state.params[_PROBED[9]] = 0.0
+
+    def _change(self, by_changer: bool, words: dict[str, float]) -> None:
+        """M61 names the tool; M6 takes the one that T chose before or on this line."""
+        if not by_changer:
+            self._selected = round(words.get("Q", 0))
+            self._tool = self._tools.get(self._selected)
+
+    def _own(self, name: str) -> Known | None:
+        state = self.state
+        match name:
+            case "_value":
+                return lambda file, row, span: state.value
+            case "_value_returned":
+                return lambda file, row, span: state.value_returned
+            case "_call_level":
+                return lambda file, row, span: float(len(state.calls))
+            case "_line":
+                return lambda file, row, span: float(row + 1)
+            case "_selected_tool":
+                return lambda file, row, span: float(self._selected)
+            case "_current_tool":
+                return lambda file, row, span: self.number(_TOOL[0], file, row, span)
+            case _:
+                return None
+
+    def _offset(self, at: int, file: str, row: int, span: Span) -> float:
+        """Offsets are kept in the machine's own unit; zero is the same in all."""
+        value = self.state.params[at]
+        if at == 5220 or at == 5210 or value == 0 or at in self._set or self._simulate:
+            return value
+        return self._known(None, f"#{at}", "the unit of the machine", file, row, span)
+
+    def _known(self, value: float | None, said: str, what: str, file: str, row: int, span: Span) -> float:
+        if value is None:
+            message = f"`{said}` hangs on {what}, which only the machine knows here"
+            raise self.state.fault("runtime-value", file, row, span, message)
+        return value
+
+    def _outside(self, name: str, file: str, row: int, span: Span) -> float:
+        if self._simulate and name in _SIMULATED:
+            return _SIMULATED[name]
+        return self._known(None, f"#<{name}>", "the machine", file, row, span)
+
+
+_SIMULATED = {"_task": 0.0, "_vmajor": _VERSION, "_vminor": 0.0, "_remap_level": 0.0}

@@ -1,0 +1,157 @@
+"""The modal state of an RS274 control as a program leaves it, and the predefined names that read it. Knows no position."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Set
+
+_GROUPS = {
+    "motion": (
+        0,
+        10,
+        20,
+        30,
+        50,
+        51,
+        52,
+        53,
+        330,
+        331,
+        382,
+        383,
+        384,
+        385,
+        730,
+        760,
+        800,
+        810,
+        820,
+        830,
+        840,
+        850,
+        860,
+        870,
+        880,
+        890,
+    ),
+    "plane": (170, 171, 180, 181, 190, 191),
+    "distance": (900, 910),
+    "arc": (901, 911),
+    "feed": (930, 940, 950),
+    "units": (200, 210),
+    "compensation": (400, 410, 411, 420, 421),
+    "length": (430, 431, 432, 490),
+    "retract": (980, 990),
+    "system": (540, 550, 560, 570, 580, 590, 591, 592, 593),
+    "path": (610, 611, 640),
+    "spindle": (960, 970),
+    "lathe": (70, 80),
+}
+"""Ten times each code, by its modal group."""
+GROUP_OF = {code: group for group, codes in _GROUPS.items() for code in codes}
+
+
+class Modes:
+    """Ten times the code in force of each group, and what M codes switched."""
+
+    def __init__(self) -> None:
+        self.g = {
+            "motion": 800, "plane": 170, "distance": 900, "arc": 911, "feed": 940, "units": 210,
+            "compensation": 400, "length": 490, "retract": 990, "system": 540, "path": 640, "spindle": 970, "lathe": 80,
+        }  # fmt: skip
+        self.feed = 0.0
+        self.speed = 0.0
+        self.spindle = 50
+        self.mist = self.flood = False
+        self.adaptive = False
+        self.feed_hold = self.feed_override = self.speed_override = True
+
+    @property
+    def unit(self) -> float:
+        """Millimetres in the unit that lengths are written in."""
+        return 25.4 if self.g["units"] == 200 else 1.0
+
+    def take(self, codes: Set[tuple[str, int]], words: dict[str, float]) -> None:
+        """What the words of a block leave."""
+        before = self.unit
+        for letter, code in codes:
+            if letter == "G" and code in GROUP_OF:
+                self.g[GROUP_OF[code]] = code
+            elif letter == "M":
+                self._switch(code, words)
+        # A feed stays the same speed when the unit changes.
+        self.feed *= before / self.unit
+        self.feed = words.get("F", self.feed)
+        self.speed = words.get("S", self.speed)
+        if ("M", 20) in codes or ("M", 300) in codes:
+            self._ended()
+
+    def _switch(self, code: int, words: dict[str, float]) -> None:
+        on = words.get("P", 1.0) != 0
+        match code:
+            case 30 | 40 | 50:
+                self.spindle = code
+            case 70:
+                self.mist = True
+            case 80:
+                self.flood = True
+            case 90:
+                self.mist = self.flood = False
+            case 480 | 490:
+                self.feed_override = self.speed_override = code == 480
+            case 500:
+                self.feed_override = on
+            case 510:
+                self.speed_override = on
+            case 520:
+                self.adaptive = on
+            case 530:
+                self.feed_hold = on
+            case _:
+                pass
+
+    def _ended(self) -> None:
+        """M2 and M30 bring back the first modes."""
+        self.g.update(plane=170, distance=900, feed=940, compensation=400, system=540, motion=10)
+        self.spindle, self.mist, self.flood = 50, False, False
+        self.feed_override = self.speed_override = True
+
+
+def _is(group: str, code: int) -> Callable[[Modes], float]:
+    return lambda modes: 1.0 if modes.g[group] == code else 0.0
+
+
+def _of(group: str) -> Callable[[Modes], float]:
+    return lambda modes: float(modes.g[group])
+
+
+GETTERS: dict[str, Callable[[Modes], float]] = {
+    "_absolute": _is("distance", 900),
+    "_adaptive_feed": lambda modes: float(modes.adaptive),
+    "_ccomp": _of("compensation"),
+    "_coord_system": _of("system"),
+    "_feed": lambda modes: modes.feed,
+    "_feed_hold": lambda modes: float(modes.feed_hold),
+    "_feed_override": lambda modes: float(modes.feed_override),
+    "_flood": lambda modes: float(modes.flood),
+    "_ijk_absolute_mode": _is("arc", 901),
+    "_imperial": _is("units", 200),
+    "_incremental": _is("distance", 910),
+    "_inverse_time": _is("feed", 930),
+    "_lathe_diameter_mode": _is("lathe", 70),
+    "_lathe_radius_mode": _is("lathe", 80),
+    "_metric": _is("units", 210),
+    "_mist": lambda modes: float(modes.mist),
+    "_motion_mode": _of("motion"),
+    "_plane": _of("plane"),
+    "_retract_old_z": _is("retract", 980),
+    "_retract_r_plane": _is("retract", 990),
+    "_rpm": lambda modes: modes.speed,
+    "_speed_override": lambda modes: float(modes.speed_override),
+    "_spindle_css_mode": _is("spindle", 960),
+    "_spindle_cw": lambda modes: float(modes.spindle == 30),
+    "_spindle_on": lambda modes: float(modes.spindle in (30, 40)),
+    "_spindle_rpm_mode": _is("spindle", 970),
+    "_tool_offset": lambda modes: float(modes.g["length"] != 490),
+    "_units_per_minute": _is("feed", 940),
+    "_units_per_rev": _is("feed", 950),
+}

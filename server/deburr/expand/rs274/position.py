@@ -1,0 +1,243 @@
+"""Where an RS274 program has moved to, in the active coordinate system. A coordinate that only the machine knows is None."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence, Set
+from typing import TYPE_CHECKING
+
+from deburr.expand.rs274.modes import GROUP_OF
+
+if TYPE_CHECKING:
+    from deburr.expand.rs274.machine import Machine
+
+AXES = "XYZABCUVW"
+MACHINE_UNIT = 25.4
+"""Millimetres in the stand-alone interpreter's own unit."""
+PROBE_SHORT = 0.254
+"""By how many millimetres its made-up probe stops before its target."""
+_LINEAR = frozenset((0, 1, 2, 6, 7, 8))
+_CYCLES = frozenset((730, 810, 820, 830, 840, 850, 860, 870, 880, 890))
+_PROBES = frozenset((382, 383, 384, 385))
+_AXIS_CODES = frozenset((100, 280, 300, 520, 920))
+"""Codes that take the axis words of a block from its motion."""
+_DEPTH = {170: 2, 180: 1, 190: 0, 171: 8, 181: 7, 191: 6}
+"""The axis that canned cycles drill along, by plane."""
+Coordinates = list[float | None]
+
+
+class Position:
+    """The present point in machine coordinates and the offsets between it and the program's, all in millimetres or degrees."""
+
+    def __init__(self, machine: Machine, simulate: bool) -> None:
+        self._machine = machine
+        self._simulate = simulate
+        self._at: Coordinates = [0.0] * 9
+        self._systems: list[Coordinates] = [[0.0] * 9 for _ in range(9)]
+        self._system: Coordinates = [0.0] * 9
+        self._shift: Coordinates = [0.0] * 9
+        """G92 and G52."""
+        self._tool: Coordinates = [0.0] * 9
+        self._kept_shift: Coordinates = [0.0] * 9
+        self._retract: float | None = None
+        self._depth_level: float | None = None
+
+    def stored(self, params: Sequence[float]) -> None:
+        """Offsets that a parameter file brought."""
+        for at in (*range(5221, 5390), *range(5211, 5220)):
+            if params[at]:
+                self.set_parameter(at, params[at])
+        self._choose(round(params[5220]) - 1 if 1 <= params[5220] <= 9 else 0)
+        if params[5210]:
+            self._shift = list(self._kept_shift)
+
+    def axis(self, axis: int) -> float | None:
+        """A coordinate in the active system, in the unit that the program writes."""
+        value = self._program(axis)
+        return None if value is None else value / self._unit(axis)
+
+    def lose(self) -> None:
+        """The machine moves where the program cannot see."""
+        self._at = [None] * 9
+
+    def set_parameter(self, at: int, value: float) -> None:
+        """An offset was stored by its number."""
+        system, axis = divmod(at - 5221, 20)
+        if 5211 <= at <= 5219:
+            self._kept_shift[at - 5211] = self._from_machine(at - 5211, value)
+        elif 0 <= system < 9 and axis < 9:
+            self._systems[system][axis] = self._from_machine(axis, value)
+        elif 0 <= system < 9 and axis == 9 and value:
+            self._systems[system] = [None] * 9
+
+    def take(self, codes: Set[tuple[str, int]], words: dict[str, float]) -> None:
+        """A block: systems, offsets, then the move."""
+        gs = {code for letter, code in codes if letter == "G"}
+        for code in gs:
+            if GROUP_OF.get(code) == "system":
+                self._choose((540, 550, 560, 570, 580, 590, 591, 592, 593).index(code))
+            elif GROUP_OF.get(code) == "length":
+                self._length(code, words)
+        if gs & {921, 922, 923}:
+            self._unshift(gs)
+        if gs & _AXIS_CODES:
+            self._non_modal(gs, words)
+        elif any(axis in words for axis in AXES):
+            self._move(self._machine.modes.g["motion"], 530 in gs, words)
+        if self._machine.modes.g["motion"] not in _CYCLES:
+            self._retract = self._depth_level = None
+
+    def _unit(self, axis: int) -> float:
+        return self._machine.modes.unit if axis in _LINEAR else 1.0
+
+    def _program(self, axis: int) -> float | None:
+        return _minus(self._at[axis], self._offset(axis))
+
+    def _offset(self, axis: int) -> float | None:
+        return _plus(_plus(self._system[axis], self._shift[axis]), self._tool[axis])
+
+    def _from_machine(self, axis: int, value: float) -> float | None:
+        """A stored offset in millimetres: only a simulated machine has a unit that is known."""
+        if value == 0 or axis not in _LINEAR:
+            return value
+        return value * MACHINE_UNIT if self._simulate else None
+
+    def _store(self, first: int, axis: int, value: float | None) -> None:
+        unit = MACHINE_UNIT if axis in _LINEAR else 1.0
+        self._machine.state.params[first + axis] = 0.0 if value is None else value / unit
+
+    def _choose(self, number: int) -> None:
+        self._system = self._systems[number]
+        self._machine.state.params[5220] = number + 1.0
+
+    def _length(self, code: int, words: dict[str, float]) -> None:
+        if code == 490:
+            self._tool = [0.0] * 9
+        elif code == 431:
+            self._tool = [words[a] * self._unit(i) if a in words else self._tool[i] for i, a in enumerate(AXES)]
+        else:
+            offsets = self._machine.length_offset(round(words["H"]) if "H" in words else None)
+            found: Coordinates = [None] * 9
+            if offsets is not None:
+                found = [self._from_machine(axis, value) for axis, value in enumerate(offsets)]
+            self._tool = found if code == 430 else [_plus(a, b) for a, b in zip(self._tool, found)]
+
+    def _unshift(self, gs: Set[int]) -> None:
+        if 923 in gs:
+            self._shift = list(self._kept_shift)
+            self._machine.state.params[5210] = 1.0
+            return
+        self._shift = [0.0] * 9
+        self._machine.state.params[5210] = 0.0
+        if 921 in gs:
+            self._kept_shift = [0.0] * 9
+            for axis in range(9):
+                self._store(5211, axis, 0.0)
+
+    def _non_modal(self, gs: Set[int], words: dict[str, float]) -> None:
+        given = {axis: words[letter] * self._unit(axis) for axis, letter in enumerate(AXES) if letter in words}
+        if 920 in gs or 520 in gs:
+            self._shift_to(given, 920 in gs)
+        elif 100 in gs:
+            self._data(given, words)
+        elif gs & {280, 300}:
+            self._home(5161 if 280 in gs else 5181, given)
+
+    def _shift_to(self, given: dict[int, float], to_here: bool) -> None:
+        """G92 makes the present point the one that is written; G52 is the offset itself."""
+        for axis, value in given.items():
+            base = _minus(_minus(self._at[axis], self._system[axis]), self._tool[axis])
+            self._shift[axis] = _minus(base, value) if to_here else value
+            self._store(5211, axis, self._shift[axis])
+        self._kept_shift = list(self._shift)
+        self._machine.state.params[5210] = 1.0
+
+    def _data(self, given: dict[int, float], words: dict[str, float]) -> None:
+        kind, number = round(words.get("L", 0)), round(words.get("P", 0))
+        if kind not in (2, 20):
+            return
+        index = number - 1 if number else round(self._machine.state.params[5220]) - 1
+        system = self._systems[index]
+        if words.get("R"):
+            system[:] = [None] * 9
+        for axis, value in given.items():
+            here = _minus(_minus(self._at[axis], self._shift[axis]), self._tool[axis])
+            system[axis] = value if kind == 2 else _minus(here, value)
+            self._store(5221 + 20 * index, axis, system[axis])
+
+    def _home(self, first: int, given: dict[int, float]) -> None:
+        """Through the point that is written to the stored one: along the axes that are written, or all."""
+        params = self._machine.state.params
+        for axis in given or range(9):
+            self._at[axis] = self._from_machine(axis, params[first + axis]) if self._simulate else None
+
+    def _move(self, motion: int, in_machine: bool, words: dict[str, float]) -> None:
+        if motion == 800:
+            return
+        target = self._targets(words, in_machine)
+        if motion in _CYCLES:
+            self._drill(target, words)
+        elif motion in _PROBES:
+            self._probe(target)
+        elif motion != 331:
+            self._at = target
+
+    def _targets(self, words: dict[str, float], in_machine: bool) -> Coordinates:
+        found = list(self._at)
+        absolute = self._machine.modes.g["distance"] == 900
+        for axis, letter in enumerate(AXES):
+            if letter in words:
+                value = words[letter] * self._unit(axis)
+                base = 0.0 if in_machine else self._offset(axis) if absolute else self._at[axis]
+                found[axis] = _plus(base, value)
+        return self._polar(found, words)
+
+    def _polar(self, found: Coordinates, words: dict[str, float]) -> Coordinates:
+        """`@` and `^` are a radius and an angle about the origin."""
+        if "@" in words or "^" in words:
+            found[0] = found[1] = None
+        return found
+
+    def _drill(self, target: Coordinates, words: dict[str, float]) -> None:
+        """A canned cycle ends above its last hole: at the R plane, or (G98) not below where it began."""
+        modes = self._machine.modes
+        depth = _DEPTH[modes.g["plane"]]
+        absolute = modes.g["distance"] == 900
+        if "R" in words:
+            value = words["R"] * self._unit(depth)
+            self._retract = _plus(self._offset(depth) if absolute else self._at[depth], value)
+        began = self._depth_level if self._depth_level is not None else self._at[depth]
+        self._depth_level = began
+        times = max(round(words.get("L", 1)), 0)
+        for axis in range(9):
+            if axis != depth and AXES[axis] in words and times:
+                step = _minus(target[axis], self._at[axis])
+                self._at[axis] = (
+                    target[axis] if absolute else _plus(self._at[axis], None if step is None else step * times)
+                )
+        if began is None or self._retract is None:
+            self._at[depth] = None
+        else:
+            self._at[depth] = self._retract if modes.g["retract"] == 990 else max(began, self._retract)
+
+    def _probe(self, target: Coordinates) -> None:
+        if not self._simulate or None in target or None in self._at:
+            self.lose()
+            self._machine.probed([0.0] * 9)
+            return
+        self._machine.probed([(value or 0.0) / self._unit(axis) for axis, value in enumerate(self._seen(target))])
+        way = [(b or 0.0) - (a or 0.0) for a, b in zip(self._at, target)]
+        length = math.dist(way[:3], [0, 0, 0])
+        part = max(0.0, 1 - PROBE_SHORT / length) if length else 0.0
+        self._at = [(a or 0.0) + step * part for a, step in zip(self._at, way)]
+
+    def _seen(self, target: Coordinates) -> Coordinates:
+        return [_minus(value, self._offset(axis)) for axis, value in enumerate(target)]
+
+
+def _plus(a: float | None, b: float | None) -> float | None:
+    return None if a is None or b is None else a + b
+
+
+def _minus(a: float | None, b: float | None) -> float | None:
+    return None if a is None or b is None else a - b

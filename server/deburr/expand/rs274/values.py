@@ -1,0 +1,237 @@
+"""The values of a line as closures, made once: expressions, parameters, functions (spec/rs274.md §3, §4). Emits nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from deburr.arithmetic import Refusal
+from deburr.arithmetic.rs274 import TOLERANCE, atan, function, number, operation, spelled
+from deburr.expand.rs274.state import READ_ONLY
+from deburr.suggest import suggestion
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node, Token
+
+if TYPE_CHECKING:
+    from deburr.expand.rs274.state import State
+    from deburr.fault import Halt
+
+Get = Callable[[], float]
+Put = Callable[[float], None]
+NEAR = 1e-4
+"""How near to an integer a value must be where one is required (spec/rs274.md §1.2)."""
+_OPERATIONS = frozenset(("sum", "product", "quotient", "modulo", "power", "comparison", "logical"))
+
+
+class Values:
+    """Compiles the values of one line."""
+
+    def __init__(self, state: State, file: str, row: int, text: str) -> None:
+        self._state = state
+        self._file = file
+        self._row = row
+        self._text = text
+        self._near = TOLERANCE[state.job.settings["compare"]]
+
+    def value(self, part: Node | Token) -> Get:
+        """What calculates a value."""
+        if isinstance(part, Token):
+            literal = number(self._text[part.start : part.end])
+            return lambda: literal
+        if part.kind in _OPERATIONS:
+            return self._operation(part)
+        match part.kind:
+            case "signed":
+                inner = self.value(part.children[1])
+                return inner if self._text[part.start] == "+" else lambda: -inner()
+            case "param":
+                return self._read(part)
+            case "function":
+                return self._one(part, function(spelled(self._text, part.children[0])), self.value(part.children[1]))
+            case "atan":
+                return self._two(part, atan, self.value(part.children[1]), self.value(part.children[3]))
+            case "exists":
+                return self._exists(part)
+            case _:
+                return self.value(part.children[1 if len(part.children) > 1 else 0])
+
+    def integer(self, part: Node | Token, rule: str = "integer-required") -> Callable[[], int]:
+        """A value that must be near an integer."""
+        get = self.value(part)
+
+        def found() -> int:
+            value = get()
+            nearest = round(value)
+            if abs(value - nearest) > NEAR:
+                raise self.halt(rule, part, f"`{self.said(part)}` is {value:g} here, and must be an integer")
+            return nearest
+
+        return found
+
+    def setter(self, param: Node) -> Callable[[], Put]:
+        """What finds out, while the line is read, which parameter it sets; what that gives sets it when all is read."""
+        name = self.name(param)
+        if name is not None:
+            return lambda: self._put_named(name, param)
+        index = self._index(param)
+        params = self._state.params
+
+        def found() -> Put:
+            at = index()
+            if at in READ_ONLY:
+                raise self.halt("param-readonly", param, f"`{self.said(param)}` is #{at} here, which is read-only")
+
+            def put(value: float) -> None:
+                params[at] = value
+                self._state.machine.written(at)
+
+            return put
+
+        return found
+
+    def name(self, param: Node) -> str | None:
+        """The name of a named parameter as the control compares it; None for a numbered one."""
+        said = param.children[1]
+        return name_of(self.said(said)) if said.kind == "NAME" else None
+
+    def said(self, part: Node | Token) -> str:
+        """The text of a part."""
+        return self._text[part.start : part.end]
+
+    def halt(self, kind: str, part: Node | Token, message: str) -> Halt:
+        """The end of the run at a part of this line."""
+        return self._state.fault(kind, self._file, self._row, Span(part.start, part.end), message)
+
+    def _operation(self, part: Node) -> Get:
+        left, sign, right = part.children
+        operator = spelled(self._text, sign)
+        a, b = self.value(left), self.value(right)
+        apply = operation(operator, self._near)
+        if part.kind == "comparison":
+            return self._compared(part, operator, apply, a, b)
+        return self._two(part, apply, a, b)
+
+    def _two(self, part: Node, apply: Callable[[float, float], float], a: Get, b: Get) -> Get:
+        def found() -> float:
+            try:
+                return apply(a(), b())
+            except Refusal as refused:
+                raise self._refused(part, refused) from None
+
+        return found
+
+    def _one(self, part: Node, apply: Callable[[float], float], a: Get) -> Get:
+        def found() -> float:
+            try:
+                return apply(a())
+            except Refusal as refused:
+                raise self._refused(part, refused) from None
+
+        return found
+
+    def _refused(self, part: Node, refused: Refusal) -> Halt:
+        at = part.children[2] if refused.rule == "divide-by-zero" else part
+        return self.halt(refused.rule, at, f"`{self.said(part)}` is {refused.why}; the control stops here")
+
+    def _compared(self, part: Node, operator: str, apply: Callable[[float, float], float], a: Get, b: Get) -> Get:
+        """A comparison; where controls of another version decide it otherwise, that is said."""
+        newer = operation(operator, TOLERANCE["1e-6"])
+        older = operation(operator, TOLERANCE["1e-4"])
+
+        def found() -> float:
+            left, right = a(), b()
+            if left != right and -1e-3 < left - right < 1e-3 and newer(left, right) != older(left, right):
+                self._warn_near(part, left, right)
+            return apply(left, right)
+
+        return found
+
+    def _warn_near(self, part: Node, left: float, right: float) -> None:
+        message = f"`{self.said(part)}` compares {left!r} with {right!r}: controls before and from LinuxCNC 2.9 decide it differently"
+        self._state.warn("compare-near", self._file, self._row, Span(part.start, part.end), message)
+
+    def _exists(self, part: Node) -> Get:
+        param = part.children[2]
+        if not isinstance(param, Node) or param.kind != "param":
+            raise self.halt(
+                "exists-argument", part, f"`{self.said(part)}` asks for no parameter; the control stops here"
+            )
+        name = self.name(param)
+        if name is None:
+            index, last = self.integer(param.children[1]), self._state.last
+            return lambda: 1.0 if 1 <= index() <= last else 0.0
+        if self._state.machine.named(name) is not None:
+            return lambda: 1.0
+        if name.startswith("_"):
+            return lambda: 1.0 if name in self._state.globals else 0.0
+        return lambda: 1.0 if name in self._state.locals else 0.0
+
+    def _read(self, param: Node) -> Get:
+        name = self.name(param)
+        if name is not None:
+            return self._read_named(param, name)
+        read = self._state.machine.number
+        params, special = self._state.params, self._state.machine.special
+        span = Span(param.start, param.end)
+        index = self._index(param)
+        if isinstance(param.children[1], Token):
+            at = index()
+            if at not in special:
+                return lambda: params[at]
+
+        def found() -> float:
+            at = index()
+            return params[at] if at not in special else read(at, self._file, self._row, span)
+
+        return found
+
+    def _index(self, param: Node) -> Callable[[], int]:
+        index = self.integer(param.children[1])
+        last = self._state.last
+
+        def found() -> int:
+            at = index()
+            if not 1 <= at <= last:
+                raise self.halt(
+                    "param-range", param, f"`{self.said(param)}` is parameter #{at} here; they go from 1 to {last}"
+                )
+            return at
+
+        return found
+
+    def _read_named(self, param: Node, name: str) -> Get:
+        known = self._state.machine.named(name)
+        if known is not None:
+            span = Span(param.start, param.end)
+            return lambda: known(self._file, self._row, span)
+        state = self._state
+        is_global = name.startswith("_")
+
+        def found() -> float:
+            value = (state.globals if is_global else state.locals).get(name)
+            if value is None:
+                raise self.halt("named-undefined", param, self._undefined(name))
+            return value
+
+        return found
+
+    def _undefined(self, name: str) -> str:
+        names = [*self._state.globals, *self._state.locals]
+        if f"_{name}" in self._state.globals:
+            return f"`#<{name}>` has no value here; the program sets `#<_{name}>`, which is another one"
+        return f"`#<{name}>` has no value here; the control stops{suggestion(name, names)}"
+
+    def _put_named(self, name: str, param: Node) -> Put:
+        if self._state.machine.named(name) is not None:
+            raise self.halt("param-readonly", param, f"`#<{name}>` is predefined and read-only")
+        names = self._state.globals if name.startswith("_") else self._state.locals
+
+        def put(value: float) -> None:
+            names[name] = value
+
+        return put
+
+
+def name_of(said: str) -> str:
+    """A parameter's name from `<Name>`: lower case, without blanks."""
+    return "".join(said.split()).strip("<>").lower()
