@@ -143,6 +143,10 @@ def test_a_bar_without_partner_is_the_only_thing_that_cannot_be_read(line: str, 
         ("#EndLoop1|", ("CLOSE", "loop", "#ENDLOOP", "1", "#EndLoop1")),
         (" #FILE a b.txt ", ("MIDDLE", "file", "#FILE", "a b.txt", "#FILE a b.txt")),
         ("#FILE", ("MIDDLE", "file", "#FILE", None, "#FILE")),
+        ("#IFS1 a", ("MIDDLE", "unknown", "#IFS", "1", "#IFS1")),
+        ("  #File1", ("MIDDLE", "unknown", "#FILE", "1", "#File1")),
+        ("#else x", ("MIDDLE", "unknown", "#ELSE", None, "#else")),
+        ("#WHILE12 |a", ("MIDDLE", "unknown", "#WHILE", "12", "#WHILE12")),
     ],
 )
 def test_directives_open_and_close_blocks_even_when_faulty(line: str, bracket: tuple[str, ...]) -> None:
@@ -150,7 +154,7 @@ def test_directives_open_and_close_blocks_even_when_faulty(line: str, bracket: t
     assert (found.role.name, found.kind, found.word, found.label, line[slice(*found.span)]) == bracket
 
 
-@pytest.mark.parametrize("line", ["G0 #IF1", "#IFS1 a", "#3=IF1", "#FILE1", "(#IF1)", "#WHILE1", "N1 #ENDIF1"])
+@pytest.mark.parametrize("line", ["G0 #IF1", "#3=IF1", "(#IF1)", "# IF1", "#<if1>=2", "N1 #ENDIF1"])
 def test_nothing_else_is_a_block(line: str) -> None:
     assert list(Document.parse(line, DIALECT).brackets()) == []
 

@@ -80,6 +80,8 @@ def test_each_trigger_gives_its_rule_and_no_other(rule: str, line: int, program:
     assert said(program.replace("\n", "\r\n") + "\r\n", files) == [f"{rule} {line}"]
 
 
+IF_A = "#IF1 |a| equalto 1 n"
+
 # The worked examples of the reference, §8.
 WORKED = [
     ("#LOOP1 |Depth| 5 c\nG1 Z-|Depth|\n#ENDLOOP1", {}),
@@ -153,6 +155,110 @@ def test_all_faults_of_a_loop_header_are_reported(line: str, rules: list[str]) -
 )
 def test_blocks_of_one_file(program: str, expected: list[str]) -> None:
     assert said(program) == expected
+
+
+def written(words: str) -> str:
+    """Blocks in short: `L1` and `I1` open, `l1` and `i1` close."""
+    lines = {"L": "#LOOP{} |{}| 1 c\nZ|{}|", "I": "#IF{} |a| equalto {} n", "l": "#ENDLOOP{}", "i": "#ENDIF{}"}
+    return "\n".join(lines[word[0]].replace("{}", word[1:]) for word in words.split())
+
+
+@pytest.mark.parametrize(
+    ("blocks", "expected"),
+    [
+        # An end too few, however deep it stands: the blocks around it are not blamed for it.
+        ("L1 L2 I1 l2 l1", ["block-unclosed 5"]),
+        ("L1 I1 I2 i1 l1 L1 l1", ["block-unclosed 4"]),
+        ("I1 I2 I3 i1", ["block-unclosed 2", "block-unclosed 3"]),
+        # An end too many.
+        ("L1 L2 I1 i1 i1 l2 l1", ["block-unopened 7"]),
+        ("I1 l7 i1", ["block-unopened 2"]),
+        # A number or a word that is wrong.
+        ("L1 L2 I1 i9 l2 l1", ["block-mismatch 6"]),
+        ("L1 I1 l1 l1", ["block-mismatch 4"]),
+        ("L1 I9 i1 l1 I1 i1", ["block-mismatch 4"]),
+        # Blocks that overlap.
+        ("L1 L2 l1 l2", ["block-mismatch 5"]),
+        ("I5 L1 I1 l1 i1 i5", ["block-mismatch 5"]),
+        # Two mistakes are two findings.
+        ("I1 i2 I3 i4", ["block-mismatch 2", "block-mismatch 4"]),
+        ("i1 I1 i1 I2", ["block-unopened 1", "block-unclosed 4"]),
+    ],
+)
+def test_one_mistake_in_the_ends_is_one_finding(blocks: str, expected: list[str]) -> None:
+    assert said(written(blocks)) == expected
+
+
+@pytest.mark.parametrize(
+    ("program", "expected"),
+    [
+        (f"{IF_A}\n#ENDFI1", ["unknown-directive 2"]),
+        (f"{IF_A}\n#END1", ["unknown-directive 2"]),
+        ("#LOOP1 |z| 1 c\nZ|z|\n#END1", ["unknown-directive 3"]),
+        ("#LOPP1 |z| 1 c\nZ|z|\n#ENDLOOP1", ["unknown-directive 1"]),
+        (f"{IF_A}\n#IFF2 |b| equalto 1 n\n#ENDIF2\n#ENDIF1", ["unknown-directive 2"]),
+        (f"{IF_A}\n#ENDFI1\n{IF_A}\n#ENDIF1", ["unknown-directive 2"]),
+        # What resembles none of ours opens and closes nothing.
+        ("#FOR1 |z|\n#ENDFOR1", ["unknown-directive 1", "unknown-directive 2"]),
+        (f"{IF_A}\n#ELSE1\n#ENDIF1", ["unknown-directive 2"]),
+        (f"{IF_A}\n#STOP1", ["block-unclosed 1", "unknown-directive 2"]),
+        # What it may have been to do is not missed either.
+        ("#LOOP1 |z| 1 c\n#FLIE peck.txt\n#ENDLOOP1", ["unknown-directive 2"]),
+    ],
+)
+def test_a_misspelt_directive_is_taken_for_what_was_meant(program: str, expected: list[str]) -> None:
+    assert said(program) == expected
+
+
+def test_a_misspelt_end_in_a_snippet_is_said_there() -> None:
+    files = {"a.txt": f"{IF_A}\nG0\n#ENDFI1\n"}
+    assert said("#FILE a.txt", files) == []
+    assert said(files["a.txt"], files, file="Snippets/a.txt") == ["unknown-directive 3"]
+
+
+@pytest.mark.parametrize(
+    ("program", "files", "hint"),
+    [
+        (f"{IF_A}\n#ENDIF2", {}, "write `#ENDIF1`"),
+        (written("L1 I2 l1 i2"), {}, "so `#ENDIF2` must come first"),
+        (written("L1 I2 l1"), {}, "`#ENDIF2` is missing before `#ENDLOOP1`"),
+        ("#ENDLOP7", {}, "did you mean `#ENDLOOP7`?"),
+        ("#FILES a", {}, "did you mean `#FILE`?"),
+        ("#WHILE1", {}, "repeat lines with `#LOOP`"),
+        ("#XYZ", {}, "there are `#FILE`, `#IF`"),
+        ("#IF1 |a| lesthan 1 n\n#ENDIF1", {}, "did you mean `lessthan`?"),
+        ("#IF1 |a| <> 1 n\n#ENDIF1", {}, "did you mean `notequalto`?"),
+        ("#IF1 |a| <= 1 n\n#ENDIF1", {}, "with `lessthan` and in one with `equalto`"),
+        ("#IF1 |a| 1 equalto n\n#ENDIF1", {}, "`equalto` belongs between the two values"),
+        ("#IF1 |a| not equal to 1 n\n#ENDIF1", {}, "write `notequalto`"),
+        ("#IF1 |a| equalto 1 n or |b| equalto 1 n\n#ENDIF1", {}, "for an or write"),
+        ("#IF1 |a| equalto 1 a a\n#ENDIF1", {}, "the items are a value, an operator, a second value, a type"),
+        ("#IF1 |a| equalto 1\n#ENDIF1", {}, "a type (`a` for text, `n` for numbers)"),
+        ("#IF1 1.5mm lessthan 2 n\n#ENDIF1", {}, "did you mean `1.5`?"),
+        ("#IF1 x1 lessthan 2 n\n#ENDIF1", {}, "write `a` for the type"),
+        ("#LOOP1 |z| 1e-3 c\nZ|z|\n#ENDLOOP1", {}, "write `0.001`"),
+        ("#LOOP1 |z| 1e999999999 c\nZ|z|\n#ENDLOOP1", {}, "nothing to calculate with"),
+        ("#LOOP1 |z| rel |max|\nZ|z|\n#ENDLOOP1", {}, "write `|max| rel`"),
+        ("#LOOP1 |z| 1 c\nZ|Z|\n#ENDLOOP1", {}, "did you mean `Z`?"),
+        ("#FILE Drlil.txt", {"drill.txt": ""}, "did you mean `drill.txt`?"),
+        ("#FILE b", {"b.txt": "", "a.txt": ""}, "no extension is added, write `b.txt`"),
+        ("#FILE mill/b", {"mill/b.txt": ""}, "write `mill/b.txt`"),
+        ("#FILE b.txt", {"mill/b.txt": ""}, "did you mean `mill/b.txt`?"),
+        ("#FILE Snippets/mill\\b.txt", {"mill/b.txt": ""}, "did you mean `mill/b.txt`?"),
+        ("#FILE b.txt", {}, "set `snippets-dir`"),
+        ("#FILE C:\\x\\b.txt", {}, "write `b.txt`"),
+        ("#FILE ..", {}, "name a file in it"),
+        (
+            "#FILE a",
+            {"a": "#FILE b", "b": "#FILE c", "c": "#FILE b"},
+            "leads to `b`, which includes itself by way of `c`",
+        ),
+        ("#FILE a", {"a": "#FILE a"}, "leads to `a`, which includes itself; this"),
+    ],
+)
+def test_messages_say_how_to_mend_it(program: str, files: Mapping[str, str], hint: str) -> None:
+    (finding,) = found(program, files)
+    assert hint in finding.message, finding.message
 
 
 IF, END = "#IF1 |a| equalto 1 n", "#ENDIF1"

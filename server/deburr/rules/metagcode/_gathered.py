@@ -14,9 +14,10 @@ from typing import NamedTuple
 from deburr.analysis import Analysis
 from deburr.rule import Note
 from deburr.rules.metagcode._library import DEEPEST, Found, Library, is_plain
+from deburr.rules.metagcode._matching import ENDS, Matching, Meant, Pair, Visit, meant
 from deburr_grammar.dialect import Bracket, Role
-from deburr_grammar.dialects.metagcode.outline import SNIPPET
-from deburr_grammar.structure import Fault, Placed, StructureFault, reduction
+from deburr_grammar.dialects.metagcode.outline import SNIPPET, UNKNOWN
+from deburr_grammar.structure import Fault, Placed, StructureFault
 from deburr_grammar.text import Span
 
 NESTED = 200
@@ -49,13 +50,6 @@ class Effect(NamedTuple):
     sure: bool
 
 
-class Visit(NamedTuple):
-    """A bracket on the way through the gathered text, and the blocks that are open before it, outermost first."""
-
-    placed: Placed
-    around: Sequence[Placed]
-
-
 class Named(NamedTuple):
     """A name on a `#FILE` line that can be looked up: its columns, and what is found."""
 
@@ -65,16 +59,14 @@ class Named(NamedTuple):
     found: Found | None
 
 
-class Pair(NamedTuple):
-    """A block that is opened and closed."""
-
-    opener: Placed
-    closer: Placed
-
-
 def said(bracket: Bracket) -> str:
     """A bracket as it should be written: `#ENDIF1`."""
     return bracket.word + (bracket.label or "")
+
+
+def end_of(opener: Bracket) -> str:
+    """The end that an opener needs: `#ENDIF1`."""
+    return f"#END{opener.word[1:]}{opener.label or ''}"
 
 
 def gathered(analysis: Analysis) -> "Gathered":
@@ -130,7 +122,38 @@ class Gathered:
         return {line: bracket.span for line, bracket in self.files}
 
     @cached_property
-    def brackets(self) -> tuple[tuple[int, Bracket], ...]:
+    def faults(self) -> Sequence[StructureFault]:
+        """The faults of structure that no unknown snippet can explain."""
+        unknown = [line for line, effect in self.effects.items() if effect is None or not effect.sure]
+        found = (fault for fault in self._matching.faults if not isinstance(fault.at.bracket, Meant))
+        return list(_once(fault for fault in found if not _explained(fault, unknown)))
+
+    def visits(self) -> Iterator[Visit]:
+        """Every bracket in order. The blocks around it are only to be looked at before the next one is asked for."""
+        return self._matching.visits()
+
+    @property
+    def pairs(self) -> Sequence[Pair]:
+        """The blocks whose ends belong together, in the order of their ends."""
+        return self._matching.pairs
+
+    @cached_property
+    def unknown(self) -> Sequence[int]:
+        """The lines of directives that do not exist, in order."""
+        return [line for line, bracket in self.own if bracket.kind == UNKNOWN]
+
+    @cached_property
+    def _matching(self) -> Matching:
+        """The blocks; a directive that is misspelt does what was meant, if blocks then fit better."""
+        brackets = self._brackets
+        plain = Matching(brackets)
+        if not plain.faults or not self.unknown:
+            return plain
+        repaired = (Matching([(line, meant(bracket, end)) for line, bracket in brackets]) for end in ENDS)
+        return min(plain, *repaired, key=lambda matching: len(matching.faults))
+
+    @property
+    def _brackets(self) -> Sequence[tuple[int, Bracket]]:
         """All brackets: the program's own, and on each `#FILE` line what its snippet closes and opens beyond itself."""
         found: list[tuple[int, Bracket]] = []
         for line, bracket in self.own:
@@ -138,35 +161,7 @@ class Gathered:
             effect = self.effects[line] if bracket.kind == SNIPPET else None
             if effect is not None and effect.deepest <= NESTED:
                 found += [(line, foreign) for foreign in (*effect.closers, *effect.openers)]
-        return tuple(found)
-
-    @cached_property
-    def faults(self) -> Sequence[StructureFault]:
-        """The faults of structure that no unknown snippet can explain."""
-        if len(self.brackets) == len(self.own):
-            found = self._analysis.document.faults
-        else:
-            found = reduction(self.brackets).all_faults()
-        unknown = [line for line, effect in self.effects.items() if effect is None or not effect.sure]
-        return list(_once(fault for fault in found if not _explained(fault, unknown)))
-
-    def visits(self) -> Iterator[Visit]:
-        """Every bracket in order. The blocks around it are only to be looked at before the next one is asked for."""
-        around: list[Placed] = []
-        for line, bracket in self.brackets:
-            placed = Placed(line, bracket)
-            yield Visit(placed, around)
-            if bracket.role is Role.OPEN:
-                around.append(placed)
-            elif bracket.role is Role.CLOSE and around:
-                around.pop()
-
-    @cached_property
-    def pairs(self) -> Sequence[Pair]:
-        """The blocks whose ends belong together, in the order of their ends."""
-        closers = ((visit.placed, visit.around) for visit in self.visits() if visit.placed.bracket.role is Role.CLOSE)
-        pairs = (Pair(around[-1], placed) for placed, around in closers if around)
-        return [pair for pair in pairs if ties(pair.opener.bracket, pair.closer.bracket)]
+        return found
 
     def counts(self, placed: Placed) -> Sequence[str]:
         """The names that a loop counts."""
@@ -199,6 +194,9 @@ class Gathered:
         for line, bracket in scan.brackets:
             if bracket.kind == SNIPPET:
                 sum_.include(self._effect(bracket))
+            elif bracket.kind == UNKNOWN:
+                # It may be a misspelt end, of which the snippet's own check speaks.
+                sum_.include(None)
             else:
                 sum_.take(Foreign(*_parts(bracket), path, line, scan.counts.get(line, ())))
         return sum_.effect(scan.lines, scan.names)
@@ -264,11 +262,6 @@ class _Sum:
             del self._openers[:-NESTED]
 
 
-def ties(opener: Bracket, closer: Bracket) -> bool:
-    """Whether two ends belong together; a missing label fits any."""
-    return opener.kind == closer.kind and (opener.label == closer.label or None in (opener.label, closer.label))
-
-
 def _once(faults: Iterable[StructureFault]) -> Iterator[StructureFault]:
     """The faults without those that a snippet repeats: one of a sort on a `#FILE` line says it."""
     seen: set[tuple[Fault, int]] = set()
@@ -282,6 +275,8 @@ def _once(faults: Iterable[StructureFault]) -> Iterator[StructureFault]:
 def _explained(fault: StructureFault, unknown: Sequence[int]) -> bool:
     """Whether a snippet that is not known, on one of these lines, may be what a fault misses."""
     at = fault.at.line
+    if isinstance(fault.at.bracket, Foreign) and bisect_left(unknown, at) < bisect_right(unknown, at):
+        return True
     if fault.other is not None:
         first, last = sorted((at, fault.other.line))
         return bisect_right(unknown, first) < bisect_left(unknown, last)

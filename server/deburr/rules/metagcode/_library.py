@@ -50,8 +50,9 @@ class Found(NamedTuple):
 
 
 class Scan(NamedTuple):
-    """What a file says by itself: its lines, its brackets with their lines, what its loops count, and all names in it."""
+    """What a file says by itself: the text as it is read, its lines, its brackets with their lines, what its loops count, and all names in it."""
 
+    document: Document
     lines: int
     brackets: Sequence[tuple[int, Bracket]]
     counts: Mapping[int, tuple[str, ...]]
@@ -234,4 +235,4 @@ def _scan(document: Document, said: frozenset[str]) -> Scan:
         if bracket.kind == "loop" and bracket.role is Role.OPEN
     }
     last = document.line_count - 1
-    return Scan(last + (document.line(last) != ""), brackets, counts, said)
+    return Scan(document, last + (document.line(last) != ""), brackets, counts, said)

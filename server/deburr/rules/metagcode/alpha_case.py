@@ -1,7 +1,8 @@
 """Texts that differ only in case.
 
 An alpha comparison tells upper case from lower case: only the operator may be written in any case.
-Two values that differ in nothing else are different, which is seldom what was meant.
+Two values that differ in nothing else are different, so `equalto` never holds for them, which is
+seldom what was meant.
 
 Source: spec/metagcode.md §5.3, §6
 

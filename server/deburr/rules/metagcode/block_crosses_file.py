@@ -47,7 +47,7 @@ from deburr_grammar.structure import Fault
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the line that brings an end in; in a snippet, also the ends that stand alone."""
     blocks = gathered(analysis)
-    for opener, closer in blocks.pairs:
+    for opener, closer, _ in blocks.pairs:
         foreign = [end for end in (closer, opener) if isinstance(end.bracket, Foreign)]
         if foreign:
             line, span = blocks.place(foreign[0])

@@ -41,7 +41,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, gathered, said
+from deburr.rules.metagcode._gathered import Foreign, end_of, gathered, said
 from deburr_grammar.structure import Fault
 
 
@@ -55,7 +55,8 @@ def check(analysis: Analysis) -> Iterator[Report]:
         line, span = blocks.place(fault.at)
         closer, opener = fault.at.bracket, fault.other.bracket
         related = (*((closer.note,) if isinstance(closer, Foreign) else ()), blocks.note(fault.other))
-        why = "; the two blocks overlap" if fault.fault is Fault.CROSSED else ""
-        yield Report(
-            span, f"`{said(closer)}` cannot close `{said(opener)}`, the innermost open block{why}", line, related
-        )
+        hint = f"the two blocks overlap, so `{end_of(opener)}` must come first"
+        if fault.fault is Fault.MISMATCH:
+            hint = f"write `{end_of(opener)}`"
+        message = f"`{said(closer)}` cannot close `{said(opener)}`, the innermost open block; {hint}"
+        yield Report(span, message, line, related)

@@ -21,6 +21,16 @@ Bad:
 
 Bad:
 
+    #LOOP1 |y| 10 c
+    #LOOP2 |z| 2 c
+    #IF1 |a| equalto 1 n
+    ^^^^
+    G1 Y|y| Z-|z|
+    #ENDLOOP2
+    #ENDLOOP1
+
+Bad:
+
     #FILE open.txt
     ^^^^^^^^^^^^^^
     G0 X1
@@ -38,7 +48,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, gathered, said
+from deburr.rules.metagcode._gathered import Foreign, end_of, gathered, said
 from deburr_grammar.structure import Fault
 
 
@@ -53,5 +63,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
         opener = fault.at.bracket
         foreign = (opener.note,) if isinstance(opener, Foreign) else ()
         other = (blocks.note(fault.other),) if fault.other is not None else ()
-        end = f"#END{opener.word[1:]}{opener.label or ''}"
-        yield Report(span, f"`{said(opener)}` is never closed; `{end}` is missing", line, (*foreign, *other))
+        where = f" before `{said(fault.other.bracket)}`" if fault.other is not None else ""
+        message = f"`{said(opener)}` is never closed; `{end_of(opener)}` is missing{where}"
+        yield Report(span, message, line, (*foreign, *other))

@@ -19,6 +19,16 @@ Bad:
 
 Bad:
 
+    #LOOP1 |z| 2 c
+    #IF1 |a| equalto 1 n
+    G1 Z-|z|
+    #ENDIF1
+    #ENDIF1
+    ^^^^^^^
+    #ENDLOOP1
+
+Bad:
+
     #FILE close.txt
     ^^^^^^^^^^^^^^^
     -- Snippets/close.txt --

@@ -1,7 +1,7 @@
 """Snippet that is found only by ignoring case.
 
-On Windows `DRILL.TXT` and `drill.txt` are one file; elsewhere they are two, and the program is not
-found once it is moved. If several files differ in case only, none of them is taken.
+On Windows `DRILL.TXT` and `drill.txt` are one file; elsewhere they are two, and the snippet is not
+found once the template is moved there. If several files differ in case only, none of them is taken.
 
 Source: spec/metagcode.md §6, §10
 

@@ -23,6 +23,7 @@ Good:
     G1 X0
 """
 
+import re
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
@@ -36,5 +37,7 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the name."""
     name = node.find("NAME")
     if name is not None and "|" not in line.said(name) and leaves(line.said(name)):
-        message = f"`{line.said(name)}` leaves the folder of snippets, which is refused; name a file in it"
+        last = re.split(r"[\\/:]", line.said(name))[-1].strip()
+        hint = f"write `{last}` for a file in it" if last.strip(".") else "name a file in it"
+        message = f"`{line.said(name)}` leaves the folder of snippets, which is refused; {hint}"
         yield Report(Span(name.start, name.end), message)

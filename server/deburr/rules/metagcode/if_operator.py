@@ -1,7 +1,9 @@
 """Operator that does not exist.
 
-The operators are `greaterthan`, `lessthan`, `equalto` and `notequalto`, in any case. There are no
-signs, and no operator for "at least". The condition cannot be decided, so nothing is built.
+The operators are `greaterthan`, `lessthan`, `equalto` and `notequalto`, in any case; they stand
+between the two values. There are no signs. There is no operator for "at least" either: write the
+lines twice, under `greaterthan` and under `equalto`. The condition cannot be decided, so nothing is
+built.
 
 Source: spec/metagcode.md §3, §6
 
@@ -16,6 +18,12 @@ Bad:
     #IF1 |a| |op| 1 n
              ^^^^
     #ENDIF1
+    #IF1 |Dia| >= 10 n
+               ^^
+    #ENDIF1
+    #IF1 equalto |Tool| 4 n
+                 ^^^^^^
+    #ENDIF1
 
 Good:
 
@@ -26,30 +34,29 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.metagcode._words import MEANT, OPERATORS, OR_EQUAL
 from deburr.suggest import suggestion
 from deburr_grammar.dialects.metagcode.forms import condition
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
-_OPERATORS = ("greaterthan", "lessthan", "equalto", "notequalto")
-_SIGNS = {
-    **dict.fromkeys(("=", "==", "eq", "is", "equals"), "equalto"),
-    **dict.fromkeys(("<>", "!=", "ne", "not"), "notequalto"),
-    **dict.fromkeys((">", "gt"), "greaterthan"),
-    **dict.fromkeys(("<", "lt"), "lessthan"),
-}
-
 
 @rule(Severity.ERROR, Nodes(("condition",), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report what stands in the operator's place."""
-    operator = condition(node).operator
+    items = condition(node)
+    operator = items.operator
     if operator.kind != "OPERATOR":
         said = line.said(operator)
-        yield Report(Span(operator.start, operator.end), f"`{said}` is no operator{_hint(said.lower())}")
+        misplaced = [each for each in (line.said(items.left), line.said(items.right)) if each.lower() in OPERATORS]
+        hint = f"`{misplaced[0]}` belongs between the two values" if misplaced else _hint(said.lower())
+        yield Report(Span(operator.start, operator.end), f"`{said}` is no operator; {hint}")
 
 
 def _hint(said: str) -> str:
-    if said in _SIGNS:
-        return f"; did you mean `{_SIGNS[said]}`?"
-    return suggestion(said, _OPERATORS) or "; there are `greaterthan`, `lessthan`, `equalto` and `notequalto`"
+    if said in MEANT:
+        return f"did you mean `{MEANT[said]}`?"
+    if said in OR_EQUAL:
+        return f"write the lines twice, in an `#IF` with `{OR_EQUAL[said]}` and in one with `equalto`"
+    near = suggestion(said, OPERATORS).removeprefix("; ")
+    return near or "there are `greaterthan`, `lessthan`, `equalto` and `notequalto`"

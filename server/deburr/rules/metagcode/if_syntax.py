@@ -21,6 +21,15 @@ Bad:
 
 Bad:
 
+    #IF1 |Depth| greater than 20 n
+                 ^^^^^^^^^^^^
+    #ENDIF1
+    #IF1 |Mat| equalto Steel a and |Dia| lessthan 6 n
+                               ^^^^^^^^^^^^^^^^^^^^^^
+    #ENDIF1
+
+Bad:
+
     #IF1|a| equalto 1 n
         ^^^
       #IF2
@@ -47,7 +56,7 @@ from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._items import misfit, surplus
 from deburr_grammar.tree import Node
 
-_ITEMS = ("a value", "an operator", "a second value", "a type")
+_ITEMS = ("a value", "an operator", "a second value", "a type (`a` for text, `n` for numbers)")
 
 
 @rule(Severity.ERROR, Nodes(("if", "endif"), by_shape=True))

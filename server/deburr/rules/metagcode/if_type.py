@@ -16,6 +16,9 @@ Bad:
     #IF1 |a| equalto 1 |t|
                        ^^^
     #ENDIF1
+    #IF1 |Peck| greaterthan n 5
+                              ^
+    #ENDIF1
 
 Good:
 
@@ -30,13 +33,16 @@ from deburr_grammar.dialects.metagcode.forms import condition
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
+_LETTERS = ("a", "A", "n", "N")
+
 
 @rule(Severity.ERROR, Nodes(("condition",), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report what stands in the type's place."""
-    type_ = condition(node).type
-    if type_.kind != "TYPE":
-        yield Report(
-            Span(type_.start, type_.end),
-            f"`{line.said(type_)}` is no type; write `a` to compare as text or `n` to compare as numbers",
-        )
+    items = condition(node)
+    if items.type.kind != "TYPE":
+        said, right = line.said(items.type), line.said(items.right)
+        hint = "write `a` to compare as text or `n` to compare as numbers"
+        if right in _LETTERS:
+            hint = f"value and type have changed places, write `{said} {right}`"
+        yield Report(Span(items.type.start, items.type.end), f"`{said}` is no type; {hint}")

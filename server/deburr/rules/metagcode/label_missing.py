@@ -43,5 +43,5 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         word = line.said(keyword)
         yield Report(
             Span(keyword.start, keyword.end),
-            f"`{word}` has no number, so nothing ties it to its other end; write `{word}1`",
+            f"`{word}` has no number, so nothing ties it to its other end; write it as in `{word}1`, with no blank",
         )

@@ -49,7 +49,10 @@ def check(analysis: Analysis) -> Iterator[Report]:
         bracket = placed.bracket
         if bracket.role is not Role.OPEN or bracket.label is None or isinstance(bracket, Foreign):
             continue
-        outer = next((each for each in reversed(around[-NESTED:]) if _same(each, placed)), None)
+        if len(around) > NESTED:
+            # Deeper than blocks may be nested, that is what must be mended.
+            continue
+        outer = next((each for each in reversed(around) if _same(each, placed)), None)
         if outer is not None:
             message = (
                 f"`{said(bracket)}` stands inside another `{said(bracket)}`; give the inner block a number of its own"

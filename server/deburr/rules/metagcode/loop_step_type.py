@@ -10,6 +10,9 @@ Bad:
     #LOOP1 |z| 2 x
                  ^
     #ENDLOOP1
+    #LOOP1 |z| c 2
+                 ^
+    #ENDLOOP1
     #LOOP1 |z| 2 c1 |x| |y| |r|
                  ^^         ^^^
     G0 X|x| Z|z|
@@ -25,6 +28,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.metagcode._items import changed_places
 from deburr_grammar.dialects.metagcode.forms import groups
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
@@ -35,7 +39,8 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     """Report what stands in the step type's place."""
     for group in groups(node):
         if group.mode.kind != "MODE":
-            yield Report(
-                Span(group.mode.start, group.mode.end),
-                f"`{line.said(group.mode)}` is no step type; write `c` for cumulative or `r` for relative values",
-            )
+            said = line.said(group.mode)
+            hint = "write `c` for cumulative or `r` for relative values"
+            if changed_places(line, group):
+                hint = f"maxStep and step type have changed places, write `{said} {line.said(group.step)}`"
+            yield Report(Span(group.mode.start, group.mode.end), f"`{said}` is no step type; {hint}")

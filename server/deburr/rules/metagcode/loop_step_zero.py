@@ -1,7 +1,7 @@
 """Step of zero.
 
-The number of passes is the total divided by maxStep, so a maxStep of 0 gives none. It is an error
-even if the total is 0 as well.
+The number of passes is the total divided by maxStep, so with a maxStep of 0 there is none and nothing
+is built. It is an error even if the total is 0 as well.
 
 Source: spec/metagcode.md §5.4, §6, §10
 
@@ -37,5 +37,5 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         if number(line.said(group.step)) == 0:
             yield Report(
                 Span(group.step.start, group.step.end),
-                f"a step of `{line.said(group.step)}` never reaches the total; the number of passes would be a division by zero",
+                f"with a step of `{line.said(group.step)}` there is no number of passes; write one greater than 0",
             )

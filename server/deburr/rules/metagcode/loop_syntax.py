@@ -24,6 +24,9 @@ Bad:
     #LOOP3 |z|2 c
               ^
     #ENDLOOP3
+    #LOOP4 |Run| 5 r |Drop| r
+    ^^^^^^^^^^^^^^^^^^^^^^^^^
+    #ENDLOOP4
 
 Good:
 
@@ -38,7 +41,7 @@ from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._items import misfit, surplus
 from deburr_grammar.tree import Node
 
-_ITEMS = ("a variable", "its maxStep", "its step type")
+_ITEMS = ("a variable", "its maxStep", "its step type (`c` cumulative, `r` relative)")
 
 
 @rule(Severity.ERROR, Nodes(("loop", "endloop"), by_shape=True))

@@ -1,8 +1,9 @@
 """Loop over the variable of a loop around it.
 
-Inside a loop its variable has the value of the pass. An inner loop over the same variable takes
-that value for its total and divides it once more, so it cuts 5, then 5 and 10, instead of the whole
-each time. The inner loop may also stand in a snippet.
+Inside a loop its variable has the value of the pass, and an inner loop over the same variable takes
+that for its total: with steps to 5, 10 and 15 the inner loop goes down to 5, then from the top to
+10, then from the top to 15, so the upper layers are cut again and again. The inner loop may also
+stand in a snippet.
 
 Source: spec/metagcode.md §5.4, §6
 
@@ -56,6 +57,9 @@ def check(analysis: Analysis) -> Iterator[Report]:
     blocks = gathered(analysis)
     for placed, around in blocks.visits():
         bracket = placed.bracket
+        if len(around) > NESTED:
+            # Deeper than blocks may be nested, that is what must be mended.
+            continue
         if bracket.kind == SNIPPET:
             yield from _brought(blocks, placed, around)
         elif bracket.kind == "loop" and bracket.role is Role.OPEN and not isinstance(bracket, Foreign):
@@ -75,7 +79,7 @@ def _brought(blocks: Gathered, placed: Placed, around: Sequence[Placed]) -> Iter
 
 def _counting(blocks: Gathered, name: str, around: Sequence[Placed]) -> Placed | None:
     """The innermost loop that counts a name."""
-    return next((outer for outer in reversed(around[-NESTED:]) if name in blocks.counts(outer)), None)
+    return next((outer for outer in reversed(around) if name in blocks.counts(outer)), None)
 
 
 def _message(name: str) -> str:

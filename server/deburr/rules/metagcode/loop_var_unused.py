@@ -32,61 +32,68 @@ Good:
 """
 
 from bisect import bisect_left
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered
-from deburr_grammar.chunk import Chunk
-from deburr_grammar.dialects.metagcode.forms import counters, names
+from deburr.rules.metagcode._gathered import NESTED, Foreign, Gathered, gathered
+from deburr.rules.metagcode._variables import names_of
+from deburr.rules.metagcode._words import nearest
+from deburr_grammar.dialects.metagcode.forms import counters
 from deburr_grammar.document import Document
 from deburr_grammar.text import Span
+
+_COMPARED = 100
+"""So many names of a body are compared with one that it lacks."""
 
 
 @rule(Severity.INFO, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the variable in the header. An empty body says nothing, and what a missing snippet says is not known."""
     blocks, document = gathered(analysis), analysis.document
-    for opener, closer in blocks.pairs:
-        if opener.bracket.kind != "loop" or Foreign in (type(opener.bracket), type(closer.bracket)):
+    lines = [line for line, _ in blocks.files]
+    for opener, closer, depth in blocks.pairs:
+        if opener.bracket.kind != "loop" or Foreign in (type(opener.bracket), type(closer.bracket)) or depth > NESTED:
             continue
         first, stop = opener.line + 1, closer.line
-        for name, token in dict(counters(document.node(opener.line))).items():
-            used = _brought(blocks, name, first, stop) or _named(document, name, first, stop)
+        unknown = bisect_left(blocks.unknown, first) < bisect_left(blocks.unknown, stop)
+        for name, token in dict(counters(document.node(opener.line))).items() if not unknown else ():
+            used = _named(document, name, first, stop) or _brought(blocks, lines, name, first, stop)
             if not used and any(document.line(line).strip() for line in range(first, stop)):
-                message = f"no line of the loop refers to `|{name}|`, so every pass is the same"
+                hint = nearest(name, islice(_names(document, first, stop), _COMPARED))
+                message = f"no line of the loop refers to `|{name}|`, so every pass is the same{hint}"
                 yield Report(Span(token.start, token.end), message, opener.line)
 
 
-def _brought(blocks: Gathered, name: str, first: int, stop: int) -> bool:
+def _brought(blocks: Gathered, lines: Sequence[int], name: str, first: int, stop: int) -> bool:
     """Whether a snippet in the body refers to the name, or may do so."""
-    for line, _ in blocks.files[bisect_left(blocks.files, first, key=lambda file: file[0]) :]:
-        if line >= stop:
-            return False
-        effect = blocks.effects[line]
-        if effect is None or not effect.sure or name in effect.names:
-            return True
-    return False
+    inside = lines[bisect_left(lines, first) : bisect_left(lines, stop)]
+    effects = (blocks.effects[line] for line in inside)
+    return any(effect is None or not effect.sure or name in effect.names for effect in effects)
 
 
 def _named(document: Document, name: str, first: int, stop: int) -> bool:
     """Whether a line of the program refers to the name."""
-    line = first
-    while line < stop:
-        piece = document.piece(line)
-        found = _names_of(piece.chunk).get(name, ())
-        if any(first <= piece.line + index < stop for index in found):
+    for at, rows in _rows(document, first, stop):
+        found = rows.get(name, ())
+        index = bisect_left(found, first - at)
+        if index < len(found) and found[index] < stop - at:
             return True
-        line = piece.line + max(piece.chunk.eols, 1)
     return False
 
 
-def _names_of(chunk: Chunk) -> Mapping[str, list[int]]:
-    """The names in a chunk with the lines in which they stand: kept with the chunk."""
-    found: dict[str, list[int]] | None = chunk.memo.get(__name__)
-    if found is None:
-        found = chunk.memo[__name__] = {}
-        for index in range(len(chunk.shapes)) if "|" in chunk.text else ():
-            for _, name in names(chunk.line(index)):
-                found.setdefault(name, []).append(index)
-    return found
+def _names(document: Document, first: int, stop: int) -> Iterator[str]:
+    """The names on some lines."""
+    chunks = ((at, rows.items()) for at, rows in _rows(document, first, stop))
+    met = ((name, first - at, stop - at, rows) for at, names in chunks for name, rows in names if name)
+    return (name for name, low, high, rows in met if bisect_left(rows, low) < bisect_left(rows, high))
+
+
+def _rows(document: Document, first: int, stop: int) -> Iterator[tuple[int, Mapping[str, Sequence[int]]]]:
+    """The chunks of some lines: the first line of each, and its names with the lines in which they stand."""
+    line = first
+    while line < stop:
+        piece = document.piece(line)
+        yield piece.line, names_of(piece.chunk)
+        line = piece.line + max(piece.chunk.eols, 1)

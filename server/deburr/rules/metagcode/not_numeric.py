@@ -14,6 +14,10 @@ Bad:
     #IF1 1,5 lessthan 1e9 n
          ^^^          ^^^
     #ENDIF1
+    #LOOP1 |Depth| 2mm c
+                   ^^^
+    G1 Z-|Depth|
+    #ENDLOOP1
     #LOOP1 |z| two c
                ^^^
     G0 Z|z|
@@ -27,27 +31,47 @@ Good:
     #ENDIF1
 """
 
+import re
 from collections.abc import Iterator
+from decimal import Decimal
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.metagcode._items import changed_places
+from deburr.rules.metagcode._words import OPERATORS
 from deburr_grammar.dialects.metagcode.forms import condition, groups, is_numeric, number
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
+
+_LED = re.compile(r"[+-]?[0-9]*[.,]?[0-9]+(?=[A-Za-z\"']*$)")
+_POWER = re.compile(r"[+-]?[0-9]+(?:\.[0-9]*)?[eE][+-]?[0-9]{1,2}")
 
 
 @rule(Severity.ERROR, Nodes(("condition", "header"), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the values that are no numbers."""
+    text = "; write `a` for the type to compare texts" if node.kind == "condition" else ""
     for value in _values(line, node):
-        if value.kind != "VARIABLE" and number(line.said(value)) is None:
-            yield Report(
-                Span(value.start, value.end),
-                f"`{line.said(value)}` is no number, so there is nothing to calculate with",
-            )
+        said = line.said(value)
+        if value.kind != "VARIABLE" and number(said) is None:
+            message = f"`{said}` is no number, so there is nothing to calculate with{_hint(said) or text}"
+            yield Report(Span(value.start, value.end), message)
+
+
+def _hint(said: str) -> str:
+    """The number that is meant, as it should be written."""
+    if _POWER.fullmatch(said):
+        return f"; there is no exponent, write `{Decimal(said):f}`"
+    led = _LED.match(said)
+    meant = led[0].replace(",", ".") if led else ""
+    return f"; did you mean `{meant}`?" if number(meant) is not None else ""
 
 
 def _values(line: Line, node: Node) -> list[Token]:
+    """The items that must be numbers, but for those in whose place stands what another rule says."""
     if node.kind == "header":
-        return [group.step for group in groups(node)]
-    left, _, right, type_ = condition(node)
-    return [left, right] if type_.kind == "TYPE" and is_numeric(line.said(type_)) else []
+        return [group.step for group in groups(node) if not changed_places(line, group)]
+    items = condition(node)
+    if items.type.kind != "TYPE" or not is_numeric(line.said(items.type)):
+        return []
+    misplaced = OPERATORS if items.operator.kind != "OPERATOR" else ()
+    return [value for value in (items.left, items.right) if line.said(value).lower() not in misplaced]

@@ -39,7 +39,8 @@ from decimal import Decimal
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, Pair, gathered
+from deburr.rules.metagcode._gathered import Foreign, gathered
+from deburr.rules.metagcode._matching import Pair
 from deburr_grammar.dialects.metagcode.forms import condition, is_numeric, name, number
 from deburr_grammar.document import Document
 

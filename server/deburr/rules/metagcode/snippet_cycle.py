@@ -36,11 +36,12 @@ Good:
     G0 Z5
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import gathered
+from deburr.rules.metagcode._library import Library, Link
 
 
 @rule(Severity.ERROR, Whole())
@@ -56,6 +57,15 @@ def check(analysis: Analysis) -> Iterator[Report]:
                 bracket.span, f"`#FILE {bracket.label}` includes the file in which it stands; this never ends", line
             )
         elif chain := blocks.library.cycle(path):
-            again = chain[-1].name
-            message = f"`#FILE {bracket.label}` leads to `{again}`, which includes itself; this never ends"
+            message = f"`#FILE {bracket.label}` leads to {_circle(blocks.library, chain)}; this never ends"
             yield Report(bracket.span, message, line, blocks.library.notes(chain))
+
+
+def _circle(library: Library, chain: Sequence[Link]) -> str:
+    """What includes itself, and by way of which others."""
+    again = chain[-1].name
+    found = library.find(again)
+    first = next((at for at, link in enumerate(chain) if found is not None and link.file == found.path), 0)
+    others = [f"`{link.name}`" for link in chain[first:-1]]
+    way = f" by way of {', '.join(others)}" if others else ""
+    return f"`{again}`, which includes itself{way}"

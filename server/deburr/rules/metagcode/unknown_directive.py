@@ -2,7 +2,8 @@
 
 A line whose first sign is `#` and a letter is a directive, and there are five: `#FILE`, `#IF`,
 `#ENDIF`, `#LOOP` and `#ENDLOOP`. There is no else and no while. As G-code the line would mean
-nothing to the control, so nothing is built.
+nothing to the control, so nothing is built. A misspelt end is taken for the end that was meant, so
+that the block around it is not reported as well.
 
 Source: spec/metagcode.md §2, §6
 
@@ -17,6 +18,22 @@ Bad:
     #ifx1 |a| equalto 1 n
     ^^^^^
 
+Bad:
+
+    #LOOP1 |Depth| 2 c
+    G1 Z-|Depth|
+    #ENDLOP1
+    ^^^^^^^^
+
+Bad:
+
+    #IF1 |Mat| equalto Steel a
+    S800
+    #ELSE1
+    ^^^^^^
+    S2400
+    #ENDIF1
+
 Good:
 
     #1=3
@@ -29,20 +46,11 @@ import re
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.suggest import suggestion
+from deburr.rules.metagcode._words import FOREIGN, keyword_meant
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
-_RUN = re.compile(r"#[A-Za-z]+[^ \t|]*")
-_KEYWORDS = ("#FILE", "#IF", "#ENDIF", "#LOOP", "#ENDLOOP")
-_HINTS = {
-    "#FILE": "; `#FILE` is followed by a blank and the name",
-    "#ELSE": "; there is no else, write a second `#IF` with the opposite operator",
-    "#ELSEIF": "; there is no else, write a second `#IF`",
-    "#WHILE": "; repeat lines with `#LOOP`",
-    "#FOR": "; repeat lines with `#LOOP`",
-    "#REPEAT": "; repeat lines with `#LOOP`",
-}
+_RUN = re.compile(r"(#[A-Za-z]+)([0-9]*)[^ \t|]*")
 
 
 @rule(Severity.ERROR, Nodes(("unknown",), by_shape=True))
@@ -50,12 +58,13 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the keyword."""
     run = _RUN.match(line.text, node.start)
     assert run is not None
-    yield Report(Span(*run.span()), f"`{run[0]}` is no directive{_hint(line.said(node.children[0]).upper())}")
+    yield Report(Span(*run.span()), f"`{run[0]}` is no directive; {_hint(run[1].upper(), run[2])}")
 
 
-def _hint(said: str) -> str:
-    return (
-        _HINTS.get(said)
-        or suggestion(said, _KEYWORDS)
-        or "; there are `#FILE`, `#IF`, `#ENDIF`, `#LOOP` and `#ENDLOOP`"
-    )
+def _hint(word: str, label: str) -> str:
+    if word in FOREIGN:
+        return FOREIGN[word]
+    meant = keyword_meant(word)
+    if meant is None:
+        return "there are `#FILE`, `#IF`, `#ENDIF`, `#LOOP` and `#ENDLOOP`"
+    return f"did you mean `{meant}{'' if meant == '#FILE' else label}`?"
