@@ -53,6 +53,12 @@ class Chunk:
             return self.text[starts[index] : starts[index + 1]].rstrip("\r\n")
         return self.text[starts[index] :]
 
+    def ending(self, index: int) -> str:
+        """A line's ending; the tail has none."""
+        starts = self.starts
+        line = self.text[starts[index] : starts[index + 1]] if index + 1 < len(starts) else ""
+        return line[len(line.rstrip("\r\n")) :]
+
     @property
     def lines(self) -> list[str]:
         """All lines without their endings, the tail included. Made anew each time: they would weigh more than the text."""

@@ -130,6 +130,8 @@ class Setting(NamedTuple):
     default: Any
     text: str
     choices: tuple[str, ...] = ()
+    each: Callable[[str, Any], str] | None = None
+    """Of a table: what is wrong with a key and its value (nothing: "")."""
 
 
 class Evidence(NamedTuple):
@@ -164,6 +166,10 @@ class Dialect:
     """Characters that may stand between words; all else of a line is in its tree."""
     modality: Modality | None = None
     """None: modal state is not followed."""
+    given: Callable[[Mapping[str, Any], Callable[[str], str | None]], frozenset[str]] = lambda settings, read: (
+        frozenset()
+    )
+    """Facts for the outline from files that the settings name, each read by its path (None: there is no such file)."""
 
     @property
     def starts(self) -> tuple[str, ...]:

@@ -58,18 +58,22 @@ class _Way(NamedTuple):
 class Document:
     """One version of a program. `edit` gives the next one and shares what it did not touch."""
 
-    def __init__(self, dialect: Dialect, root: Branch, size: int = SIZE) -> None:
+    def __init__(self, dialect: Dialect, root: Branch, size: int = SIZE, given: frozenset[str] = frozenset()) -> None:
         self.dialect = dialect
         self._root = root
         self._size = size
+        self._given = given
         self._last_way: _Way | None = None
 
     @classmethod
-    def parse(cls, text: str, dialect: Dialect, size: int = SIZE) -> Document:
-        """A document of the text, in chunks of about ``size`` characters. Nothing is read before it is asked for."""
+    def parse(cls, text: str, dialect: Dialect, size: int = SIZE, given: frozenset[str] = frozenset()) -> Document:
+        """A document of the text, in chunks of about ``size`` characters. Nothing is read before it is asked for.
+
+        ``given``: facts for the outline that come from elsewhere, `Dialect.given`.
+        """
         cuts = [0, *cut_points(text, size), len(text)]
         table = shapes_of(dialect)
-        return cls(dialect, grown([Chunk(text[a:b], table) for a, b in pairwise(cuts)]), size)
+        return cls(dialect, grown([Chunk(text[a:b], table) for a, b in pairwise(cuts)]), size, given)
 
     @property
     def text(self) -> str:
@@ -176,7 +180,7 @@ class Document:
 
     @cached_property
     def _outliner(self) -> Outliner:
-        return Outliner(self.dialect, facts_of(self._root, self.dialect))
+        return Outliner(self.dialect, facts_of(self._root, self.dialect) | self._given)
 
     def _way(self, line: int) -> _Way:
         """The way from the root to the chunk that holds a line. What is asked of a line is often followed by more of it."""
@@ -230,7 +234,7 @@ class Document:
         left = self._place(start.line)
         right = left if end.line == start.line else self._place(end.line)
         root = replaced(self._root, left, right, start, end, edit.text, self._size)
-        return Document(self.dialect, root, self._size)
+        return Document(self.dialect, root, self._size, self._given)
 
 
 def _chunks(node: Branch | Chunk) -> Iterator[Chunk]:

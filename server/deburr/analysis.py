@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
 from deburr.blocks import Scope, scopes
-from deburr.finding import Finding, Place, Related
+from deburr.finding import Finding, Place, Related, Severity
 from deburr.host import Host, NoFiles
 from deburr.rule import Note, Notice, Rule, Structure
 from deburr.ruleset import RuleSet
@@ -16,7 +16,6 @@ from deburr.stateful import Said
 from deburr.suppress import allowed, is_allowed
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.document import Document, Piece
-from deburr_grammar.line import LineNode
 from deburr_grammar.structure import StructureFault
 from deburr_grammar.text import with_newlines
 
@@ -31,6 +30,7 @@ class Analysis:
         file: str = "",
         host: Host | None = None,
         notices: Sequence[Notice] = (),
+        run: Callable[[Analysis], Iterable[Finding]] | None = None,
     ) -> None:
         self.document = document
         self.ruleset = ruleset
@@ -40,6 +40,7 @@ class Analysis:
         """Room for what several rules derive from the program and its files, each under a key of its own."""
         self.notices = tuple(notices)
         """What was met before the text was there to be read."""
+        self._run = run
 
     @property
     def dialect(self) -> Dialect:
@@ -64,15 +65,20 @@ class Analysis:
         for rule in self.ruleset.on_whole:
             found += [self._finding(report.line, Said(0, rule, report)) for report in rule.check(self)]
         found += self._noticed(self.notices)
-        kept = allowed(self.document, found, self.ruleset)
-        return sorted([*kept.findings, *self._noticed(kept.notices)], key=lambda finding: finding.order)
+        if self._run is not None and all(finding.severity < Severity.ERROR for finding in found):
+            # A program that is wrong as it stands is not run: what it would meet would be guesses.
+            found += self._run(self)
+        # A comment speaks for the file that it stands in.
+        elsewhere = [finding for finding in found if finding.place.file != self.file]
+        kept = allowed(self.document, [finding for finding in found if finding.place.file == self.file], self.ruleset)
+        return sorted([*kept.findings, *elsewhere, *self._noticed(kept.notices)], key=lambda finding: finding.order)
 
     def line_findings(self, line: int) -> list[Finding]:
         """The findings that a line alone decides, but for those that a comment allows."""
         piece = self.document.piece(line)
         on_chunk: tuple[Said, ...] | None = piece.chunk.memo.get((self.ruleset, self.document.key(piece)))
         # The line is on its own quicker than its chunk would be, of which an edit leaves nothing known.
-        on_line = self._on_line(self.document.node(line), line - piece.line) if on_chunk is None else on_chunk
+        on_line = self._on_line(piece, line - piece.line) if on_chunk is None else on_chunk
         found = [self._finding(line, local) for local in on_line if piece.line + local.line == line]
         if stateful := self.ruleset.stateful:
             found += [self._finding(line, said) for said in stateful.line_findings(self.document, line)]
@@ -107,13 +113,15 @@ class Analysis:
             found = piece.chunk.memo[key] = (*self._planned(piece), *self._texts(piece), *self._long(piece))
         return found
 
-    def _on_line(self, node: LineNode, index: int) -> Iterator[Said]:
+    def _on_line(self, piece: Piece, index: int) -> Iterator[Said]:
         """What rules on lines say of one line."""
+        node = self.document.node(piece.line + index)
         plan = self.ruleset.plan(node.shape, node.reading)
         if node.reading.start is not None:
             plan += tuple(rule for rule, pattern in self.ruleset.on_text if pattern.search(node.text))
             plan += tuple(rule for rule, limit in self.ruleset.on_length if len(node.text) > limit)
-        return (Said(index, rule, report) for rule, report in self.ruleset.on_line(node, plan))
+        said = self.ruleset.on_line(node, plan, piece.chunk.ending(index))
+        return (Said(index, rule, report) for rule, report in said)
 
     def _planned(self, piece: Piece) -> Iterator[Said]:
         plan = self.ruleset.plan
@@ -141,14 +149,15 @@ class Analysis:
         for index in lines:
             node = piece.node(index)
             if node.reading.start is not None:
-                for found, report in self.ruleset.on_line(node, (rule,)):
+                for found, report in self.ruleset.on_line(node, (rule,), piece.chunk.ending(index)):
                     yield Said(index, found, report)
 
     def _finding(self, line: int, local: Said) -> Finding:
         rule, report = local.rule, local.report
-        place = Place(self.file, line, report.span.start, line, report.span.end)
+        file = self.file if report.file is None else report.file
+        place = Place(file, line, report.span.start, line, report.span.end)
         related = tuple(self._related(note) for note in report.related)
-        return Finding(rule.name, self.ruleset.severity(rule), report.message, place, related)
+        return Finding(rule.name, self.ruleset.severity(rule, report.severity), report.message, place, related)
 
     def _related(self, note: Note) -> Related:
         file = self.file if note.file is None else note.file

@@ -1,8 +1,10 @@
 """A program's bytes to its findings, in places of the file. Never opens a file, never chooses a dialect."""
 
+from collections.abc import Callable, Iterable
+
 from deburr.analysis import Analysis
 from deburr.finding import Finding, Place
-from deburr.host import Host
+from deburr.host import Host, NoFiles
 from deburr.ruleset import RuleSet
 from deburr.source import Source
 from deburr_grammar.dialect import Dialect
@@ -10,11 +12,17 @@ from deburr_grammar.document import Document
 
 
 def check(
-    source: Source, dialect: Dialect, ruleset: RuleSet, file: str = "", host: Host | None = None
+    source: Source,
+    dialect: Dialect,
+    ruleset: RuleSet,
+    file: str = "",
+    host: Host | None = None,
+    run: Callable[[Analysis], Iterable[Finding]] | None = None,
 ) -> list[Finding]:
-    """All findings in order."""
-    document = Document.parse(source.text, dialect)
-    findings = Analysis(document, ruleset, file, host, tuple(source.notices())).findings()
+    """All findings in order; with ``run`` (`deburr.ran`) also those that a run of the program meets."""
+    given = dialect.given(ruleset.settings, (host or NoFiles()).read)
+    document = Document.parse(source.text, dialect, given=given)
+    findings = Analysis(document, ruleset, file, host, tuple(source.notices()), run).findings()
     return [_in_file(finding, file, source.shift) for finding in findings] if source.shift else findings
 
 

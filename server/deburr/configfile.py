@@ -11,7 +11,6 @@ from typing import Any
 from deburr import paths
 from deburr.config import Config, ConfigError, Glob, Graded, Value
 from deburr.finding import Severity
-from deburr.formats.toml import line_of
 from deburr.schema import Fault, Free, faults, tables
 from deburr.selection import Selection
 from deburr_grammar.dialect import Kind, Setting
@@ -153,5 +152,7 @@ def _placed(path: str, error: str) -> str:
 
 
 def _message(path: str, text: str, prefix: tuple[str, ...], fault: Fault) -> str:
+    from deburr.formats.toml import line_of
+
     line = line_of(text, (*prefix, *fault.path))
     return f"{path}{f':{line}' if line else ''}: {fault.message}"

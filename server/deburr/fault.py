@@ -50,6 +50,8 @@ class Fault(NamedTuple):
     span: Span
     message: str
     stack: Frame | None = None
+    input: bool = False
+    """Whether only something that was not given can decide at this place; of some rules that holds everywhere, `Rule.input`."""
 
 
 class Halt(Exception):

@@ -106,7 +106,8 @@ class Modal:
         """The group of each code; None of one that is in force on its own line alone."""
         codes = self._dialect.codes
         modal = {entry.name for entry in codes.table("group") if entry.more.get("modal", True)}
-        return {entry.name: group for entry in codes.table("code") if (group := entry.more.get("group")) in modal}
+        lasting = (entry for entry in codes.table("code") if entry.more.get("modal", True))
+        return {entry.name: group for entry in lasting if (group := entry.more.get("group")) in modal}
 
     def _effect(self, reading: Reading, shape: Shape) -> Effect:
         if reading.start is None:
@@ -117,7 +118,7 @@ class Modal:
 
     def _then(self, state: State, effect: Effect) -> State:
         before = self._none if effect.arrives else state.modes
-        pairs = dict(self._pair(code) for code in effect.codes)
+        pairs = dict.fromkeys(effect.unsets, UNSET) | dict(self._pair(code) for code in effect.codes)
         modes = self._modes({**before.values, **pairs}, before.others)
         if effect.maybe:
             modes = self._joined(before, modes)
@@ -126,12 +127,7 @@ class Modal:
 
     def _pair(self, code: str) -> tuple[str, str]:
         """The group that a code writes, and what it then holds; the letter of a word is a group of its own."""
-        group = self._groups.get(code)
-        if group is None:
-            return code, code
-        entry = self._dialect.codes.entry("code", code)
-        stays = entry is not None and entry.more.get("modal", True)
-        return group, code if stays else UNKNOWN
+        return self._groups.get(code) or code, code
 
     def _through(self, state: State, bracket: Bracket) -> State:
         match bracket.role:

@@ -57,7 +57,7 @@ def worded(fault: Fault, ruleset: RuleSet, line: str) -> Finding:
 
 def _reported(fault: Fault, analysis: Analysis) -> Iterator[Finding]:
     rule = analysis.ruleset.named(fault.kind)
-    if rule in analysis.ruleset.rules and not (rule is not None and rule.input):
+    if rule in analysis.ruleset.rules and not (rule is not None and rule.input or fault.input):
         yield worded(fault, analysis.ruleset, _line(fault, analysis))
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -21,7 +21,7 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 if TYPE_CHECKING:
-    pass
+    from deburr.modal import State
 
 __all__ = [
     "Line",
@@ -31,6 +31,7 @@ __all__ = [
     "Note",
     "Notice",
     "Noticed",
+    "Ran",
     "Report",
     "Rule",
     "Severity",
@@ -55,19 +56,25 @@ class Note(NamedTuple):
 
 
 class Report(NamedTuple):
-    """What a rule yields: columns and message. ``line`` is only for rules that see more than one line."""
+    """What a rule yields: columns and message. ``line`` is only for rules that see more than one line, ``file`` for those that find a fault in another file.
+
+    ``severity``: of this report, where it weighs less than others of its rule; what is configured for the rule still decides.
+    """
 
     span: Span
     message: str
     line: int = -1
     related: tuple[Note, ...] = ()
+    file: str | None = None
+    severity: Severity | None = None
 
 
 class Line(NamedTuple):
-    """What a rule on lines sees: the line and the dialect's settings. Never where the line stands."""
+    """What a rule on lines sees: the line, the dialect's settings and, in rules on texts and lengths, the line's ending. Never where the line stands."""
 
     node: LineNode
     settings: Mapping[str, Any]
+    ending: str = ""
 
     @property
     def text(self) -> str:
@@ -96,10 +103,13 @@ class Nodes(NamedTuple):
     ``by_shape``: what the rule says hangs on the line's shape alone, on letters and on the
     codes that the dialect protects, not on other numbers or on comments. It is then asked once
     a shape, and lines of a shape of which it says nothing cost nothing either.
+    ``where``: for rules on numbers, asked once a shape, whether any lines of it may break the rule:
+    that there is a sign or a point before or in a number can be seen, its value cannot.
     """
 
     kinds: tuple[str, ...]
     by_shape: bool = False
+    where: Callable[[Line, Node], bool] | None = None
 
 
 class Modal(NamedTuple):
@@ -107,9 +117,11 @@ class Modal(NamedTuple):
 
     Whether it says anything of a line must hang on the line's shape and on the state alone; it is
     asked once for each pair of them. Where runs may differ the state is unknown (deburr/modal.py).
+    ``where``: as in `Nodes`, whether any lines of a shape may break the rule under a state.
     """
 
     kinds: tuple[str, ...]
+    where: Callable[[Line, State], bool] | None = None
 
 
 class Text(NamedTuple):
@@ -147,7 +159,11 @@ class Noticed(NamedTuple):
     """The rule is called for each notice of its own name: `check(notice)`; reports must name a line."""
 
 
-Trigger = Syntax | Nodes | Modal | Text | Long | Structure | Whole | Noticed
+class Ran(NamedTuple):
+    """The rule is called for each fault of its own name that a run met: `check(fault)`. What can be seen without a run is no matter for it."""
+
+
+Trigger = Syntax | Nodes | Modal | Text | Long | Structure | Whole | Noticed | Ran
 Check = Callable[..., Iterator[Report]]
 
 
@@ -161,6 +177,10 @@ class Rule:
     check: Check
     page: str
     default: bool
+    met: Check | None = None
+    """What the rule says of a fault that a run met; None: what the interpreter says."""
+    input: bool = False
+    """Whether only the operator, the machine or an input that was not given can decide: then `check` is silent and `expand` refuses."""
 
     @property
     def short(self) -> str:
@@ -173,14 +193,17 @@ class Rule:
         return self.page.strip().partition("\n")[0]
 
 
-def rule(severity: Severity, trigger: Trigger, *, default: bool = True) -> Callable[[Check], Rule]:
-    """Make a generator the rule of its file. ``default``: whether it speaks unless asked to be silent."""
+def rule(
+    severity: Severity, trigger: Trigger, *, default: bool = True, met: Check | None = None, input: bool = False
+) -> Callable[[Check], Rule]:
+    """Make a generator the rule of its file. ``default``: whether it speaks unless asked to be silent; ``met`` and ``input``: see `Rule`."""
 
     def made(check: Check) -> Rule:
         module = check.__module__
         folder, file = module.split(".")[-2:]
         name = f"{folder}.{file.replace('_', '-')}"
-        return Rule(name, severity, trigger, check, sys.modules[module].__doc__ or "", default)
+        said = check if isinstance(trigger, Ran) else met
+        return Rule(name, severity, trigger, check, sys.modules[module].__doc__ or "", default, said, input)
 
     return made
 
@@ -218,7 +241,7 @@ def _modules(package: str) -> Iterator[str]:
 
 
 def _renamed(rule: Rule, dialect: str) -> Rule:
-    return Rule(f"{dialect}.{rule.short}", rule.severity, rule.trigger, rule.check, rule.page, rule.default)
+    return replace(rule, name=f"{dialect}.{rule.short}")
 
 
 def expected(problem: Problem) -> str:

@@ -47,13 +47,17 @@ class RuleSet:
         self._severities = dict(severities or {})
         self._plans: dict[tuple[Shape, str], tuple[Rule, ...]] = {}
 
-    def severity(self, rule: Rule) -> Severity:
-        """The severity of a rule's findings."""
-        return self._severities.get(rule.name, rule.severity)
+    def severity(self, rule: Rule, said: Severity | None = None) -> Severity:
+        """The severity of a rule's findings, or of one of which the rule ``said`` another."""
+        return self._severities.get(rule.name, said or rule.severity)
 
     def knows(self, name: str) -> bool:
         """Whether a name or prefix means any rule of the dialect, on or off."""
         return any(covers(name, rule.name) for rule in self._all)
+
+    def named(self, short: str) -> Rule | None:
+        """The rule of a short name, on or off."""
+        return self._by_short.get(short)
 
     def speaks(self, name: str) -> bool:
         """Whether all that a name or prefix is expected to mean is on: only then does silence say something."""
@@ -77,11 +81,19 @@ class RuleSet:
         ]
         # A shape is a line of its own, and the sample of all lines that share it.
         sample = LineNode(shape.text, reading, shape)
-        return tuple(rule for rule in plan if not _by_shape(rule) or any(self.on_line(sample, (rule,))))
+        return tuple(rule for rule in plan if self._may_speak(rule, sample))
 
-    def on_line(self, node: LineNode, plan: tuple[Rule, ...]) -> Iterator[tuple[Rule, Report]]:
+    def _may_speak(self, rule: Rule, sample: LineNode) -> bool:
+        if not isinstance(rule.trigger, Nodes):
+            return True
+        if (where := rule.trigger.where) is not None:
+            line = Line(sample, self.settings)
+            return any(where(line, part) for part in sample.find(*rule.trigger.kinds))
+        return not rule.trigger.by_shape or any(self.on_line(sample, (rule,)))
+
+    def on_line(self, node: LineNode, plan: tuple[Rule, ...], ending: str = "") -> Iterator[tuple[Rule, Report]]:
         """What the planned rules say of a line."""
-        line = Line(node, self.settings)
+        line = Line(node, self.settings, ending)
         for rule in plan:
             if isinstance(rule.trigger, Syntax):
                 for problem in node.problems:
@@ -92,6 +104,10 @@ class RuleSet:
                     yield from ((rule, report) for report in rule.check(line, part))
             else:
                 yield from ((rule, report) for report in rule.check(line))
+
+    @cached_property
+    def _by_short(self) -> Mapping[str, Rule]:
+        return {rule.short: rule for rule in self._all}
 
     @cached_property
     def on_text(self) -> tuple[tuple[Rule, re.Pattern[str]], ...]:
@@ -116,9 +132,9 @@ class RuleSet:
         return tuple(rule for rule in self.rules if isinstance(rule.trigger, Whole))
 
     @cached_property
-    def on_modal(self) -> tuple[tuple[Rule, tuple[str, ...]], ...]:
-        """Rules on modal state, with the kinds of node for which they are called."""
-        return tuple((rule, rule.trigger.kinds) for rule in self.rules if isinstance(rule.trigger, Modal))
+    def on_modal(self) -> tuple[tuple[Rule, Modal], ...]:
+        """Rules on modal state, with their triggers."""
+        return tuple((rule, rule.trigger) for rule in self.rules if isinstance(rule.trigger, Modal))
 
     @cached_property
     def stateful(self) -> Stateful | None:
@@ -144,7 +160,3 @@ class RuleSet:
     def _of(self, trigger: Syntax | Nodes) -> tuple[str, ...]:
         only = trigger.only if isinstance(trigger, Syntax) else None
         return trigger.kinds if only is None or self.settings.get(only[0]) == only[1] else ()
-
-
-def _by_shape(rule: Rule) -> bool:
-    return isinstance(rule.trigger, Nodes) and rule.trigger.by_shape

@@ -108,10 +108,14 @@ class Stateful:
         if reading.start is None:
             return ()
         kinds = shape.facts(reading).kinds
-        asked = (rule for rule, wanted in self._ruleset.on_modal if not kinds.isdisjoint(wanted))
+        asked = ((rule, trigger) for rule, trigger in self._ruleset.on_modal if not kinds.isdisjoint(trigger.kinds))
         # A shape is a line of its own, and the sample of all lines that share it.
         line = Line(LineNode(shape.text, reading, shape), self._ruleset.settings)
-        return tuple(rule for rule in asked if any(True for _ in rule.check(line, state)))
+        return tuple(
+            rule
+            for rule, trigger in asked
+            if (trigger.where(line, state) if trigger.where is not None else any(True for _ in rule.check(line, state)))
+        )
 
 
 def stateful_of(ruleset: RuleSet) -> Stateful | None:

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from deburr.config import ConfigError, RuleSets
-from deburr.configfile import Configs, line_of, read
+from deburr.configfile import Configs, read
+from deburr.formats.toml import line_of
 from deburr_grammar.dialects import by_name
 
 FAULTY = "G21 G90 G17\nG0 X[1/0]\nF100\nM2\n"

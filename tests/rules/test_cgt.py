@@ -5,8 +5,11 @@ from pathlib import Path
 import pytest
 
 from deburr.analysis import Analysis
+from deburr.check import check
 from deburr.finding import Finding, Severity
 from deburr.ruleset import RuleSet
+from deburr.source import Source
+from deburr_grammar import Edit, Pos
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
 from support.pages import MemoryHost
@@ -241,6 +244,18 @@ def test_a_duplicate_points_to_the_first() -> None:
         ("#CALL(TOOLCHNG)", "`TOOLCHG`"),
         ("#FMT(#XPOS,d3.4)", "`D3.4`"),
         ("#EVAL(V1=3)", "`#V1`"),
+        ("#EVAL(#V1=V2+1)", "`#V2`"),
+        ("#EVEL(#V1=3)", "`#EVAL`"),
+        ("#EXTI", "`#EXIT`"),
+        ("#FMT(#F_Decimals,D3.4)", "`#F_Decimal`"),
+        ("#FMT(#XPOS,D3,4)", "`D3.4`"),
+        ("#IF(XPOS>3)<M08>", "`#XPOS`"),
+        ("#IFSTR(S1=G00)<M08>", "`#S1`"),
+        ("#RESET(XPOS)", "`#XPOS`"),
+        ("#TABLE(tolchg,1)", "`TOOLCHG`"),
+        ("@TOOLCHNG\nM06", "`TOOLCHG`"),
+        ("@DECLARE\n#TBL#gear\n@DWELL\n#gear\n#TABLE(gears,0)\n@gears\n0,M41", "`gears`"),
+        ("@DECLARE\n#CALCDEC#side\n@DWELL\n#side\n@$sides\n#RETNUM(1)", "`$sides`"),
     ],
 )
 def test_messages_offer_the_likely_name(line: str, hint: str) -> None:
@@ -275,6 +290,17 @@ def test_what_is_right_is_not_called_wrong(lines: str) -> None:
         "<X#XPOS #EVAL(#V1)>",
         "#IF(#V1)<a>#ELSE<b>",
         "@DECLARE\n#INT #n,\n@DWELL\n#n",
+        "#IF (#V1>3)<a>",
+        "#IF#V1>3)<a>",
+        "#IF(#V1>3)a>",
+        "#IF(#V1>3) <a>#ELSE<b>",
+        "#IF(#V1>3)\n<\na\n>",
+        "#IFF(#V1>3)<a>#ELSE<b>",
+        "#IFSTRING(#S1=G00)<a>",
+        "#REPAET(3)<M08>",
+        "<X#XPOS>#ESLE<a>",
+        "<X#XPOS#AND #EVAL(#V1)>",
+        "#CALL TOOLCHG <X#XPOS>",
     ],
 )
 def test_a_syntax_fault_brings_no_other_finding_with_it(lines: str) -> None:
@@ -286,9 +312,63 @@ def test_very_deep_brackets_are_refused_and_not_walked() -> None:
     assert {finding.rule for finding in found(text)} == {"cgt.bracket-unclosed", "cgt.limit"}
 
 
+@pytest.mark.parametrize(
+    ("line", "columns"),
+    [
+        ("<X#XPOS#AND>", [(7, 11)]),
+        ("<X#XPOS#AND Y#YPOS>", []),
+        ("<#MOV#AND#OR X#XPOS>", [(5, 9)]),
+        ("<#DCOMP#EXC D#DOFF>", []),
+        ("<#DCOMP#EXC>", [(7, 11)]),
+        ("<#DCOMP#EXC D#DOFF#AND S#SPEED>", [(18, 22)]),
+        ("<#DCOMP#EXC D#DOFF#AND>", [(18, 22)]),
+        ("<#AND X#XPOS#OR>", [(1, 5), (12, 15)]),
+        ("<X#XPOS#AND<S#SPEED>>", [(7, 11)]),
+    ],
+)
+def test_operators_that_join_nothing(line: str, columns: list[tuple[int, int]]) -> None:
+    findings = found(DIALECT.frame.replace("{}", line))
+    assert [finding.rule for finding in findings] == ["cgt.operator-misplaced"] * len(columns)
+    assert [(finding.place.col, finding.place.end_col) for finding in findings] == columns
+
+
+def with_machine(text: str, machine: str) -> list[str]:
+    files = MemoryHost({"mill.toml": machine})
+    findings = check(
+        Source(DIALECT.frame.replace("{}", text)), DIALECT, RuleSet(DIALECT, {"machine": "mill.toml"}), "", files
+    )
+    return [f"{finding.place.file}:{finding.rule.removeprefix('cgt.')}" for finding in findings]
+
+
+def test_a_table_word_of_the_machine_file_makes_a_section_a_table() -> None:
+    rows = "#GEAR\n@GEAR\n0,M41 <low\n1,M42\n"
+    assert with_machine(rows, '[words]\nGEAR = "table"') == []
+    assert with_machine(rows + "3", '[words]\nGEAR = "table"') == [":table-row"]
+    assert with_machine("#GEAR", '[words]\nGEAR = "table"') == [":table-missing"]
+    assert with_machine("#GEAR", '[words]\nGEAR = "table"\n[tables]\nGEAR = ["M41"]') == []
+    assert with_machine("@LINES\n#LINE\n", '[words]\nLINE = "table"\n') == [":section-unknown", ":table-missing"]
+
+
+def test_an_edit_keeps_what_the_machine_file_says() -> None:
+    text = "@START\n@END\n@GEAR\n0,M41\n"
+    document = Document.parse(text, DIALECT, given=frozenset({"GEAR"}))
+    edited = document.edit(Edit(Pos(4, 0), Pos(4, 0), "1,M42 <\n"))
+    assert [edited.node(line).reading.name for line in (3, 4)] == ["table", "table"]
+    assert document.node(3).reading.name == "table"
+    assert Document.parse(text, DIALECT).node(3).reading.name == "template"
+
+
+def test_a_faulty_machine_file_brings_no_other_finding_with_it() -> None:
+    for machine in ("[words", "words = 1", '[word]\nWPOS = "decimal"', '[words]\nWPOS = "decimla"'):
+        assert with_machine("W#WPOS", machine) == ["mill.toml:machine-file"]
+    assert with_machine("W#WPOS", '[words]\nWPSO = "decimal"') == [":word-unknown"]
+    assert with_machine("#MOV", '[tables]\nMOVE = ["G0"]') == ["mill.toml:machine-file"]
+    assert with_machine("#MOV#TABLE(MOVE,0)", '[tables]\nMOVE = ["G0"]') == []
+
+
 def test_a_machine_file_makes_words_known() -> None:
     ruleset = RuleSet(DIALECT, {"machine": "mill.toml"})
     document = Document.parse(DIALECT.frame.replace("{}", "W#WPOS #CODES"), DIALECT)
-    for text, expected in (('[words]\nWPOS = "decimal"\n', 1), ("[words", 2), ("words = 1", 2)):
+    for text, expected in (('[words]\nWPOS = "decimal"\n', 1), ("[words", 1), ("words = 1", 1)):
         host = MemoryHost({"mill.toml": text})
         assert len(Analysis(document, ruleset, "", host).findings()) == expected

@@ -20,8 +20,9 @@ def test_examples_give_exactly_the_rule_at_the_marked_places(dialect: str, rule:
     assert any(not block.good for block in blocks) and any(block.good for block in blocks)
     for block in blocks:
         findings = checked(block, by_name(dialect), lambda each: each.default or each.name == rule.name)
-        found = [(f.rule, f.place.line, f.place.col, f.place.end_col) for f in findings]
-        assert found == [(rule.name, *place) for place in block.places], block.program
+        found = [(f.rule, f.place.file, f.place.line, f.place.col, f.place.end_col) for f in findings]
+        places = [*(("", *place) for place in block.places), *block.elsewhere]
+        assert found == [(rule.name, *place) for place in places], block.program
         assert bool(found) is not block.good
 
 

@@ -23,6 +23,7 @@ class Verdict:
 def judged(program: str, folder: Path, files: Mapping[str, str] | None = None) -> Verdict:
     """Run a program in a scratch folder with a home of its own: the interpreter truncates files in both."""
     for name, text in {"p.ngc": program, "p.var": "", **(files or {})}.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text, encoding="utf-8")
     (folder / "tools.tbl").write_text("".join(f"T{n} P{n} D0.001\n" for n in range(1, 100)))
     command = ["rs274", "-g", "-n", "2", "-t", "tools.tbl", "-v", "p.var", "p.ngc"]

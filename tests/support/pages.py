@@ -13,18 +13,19 @@ from deburr.ruleset import RuleSet
 from deburr_grammar.dialect import Dialect
 
 _FILE = re.compile(r"^-- (.+) --$")
-_BYTES = str.maketrans({"␀": "\0", "␚": "\x1a"})
+_BYTES = str.maketrans({"␀": "\0", "␚": "\x1a", "␍": "\r"})
 
 
 @dataclass(frozen=True)
 class Example:
-    """One block: the program in its frame, the files beside it, settings, and where the rule must speak."""
+    """One block: the program in its frame, the files beside it, settings, and where the rule must speak; ``elsewhere``: in which of the files."""
 
     good: bool
     program: str
     files: Mapping[str, str]
     settings: Mapping[str, object]
     places: tuple[tuple[int, int, int], ...]
+    elsewhere: tuple[tuple[str, int, int, int], ...] = ()
 
 
 def examples(rule: Rule, dialect: Dialect) -> Iterator[Example]:
@@ -32,7 +33,7 @@ def examples(rule: Rule, dialect: Dialect) -> Iterator[Example]:
 
     `Bad (whole):` is a program of its own, without the dialect's frame; `Bad (profile=smithy):`
     sets a setting; a value with `|` is a list. A line `-- NAME --` starts another file.
-    In a whole program `{}` is the frame with nothing in it; `␀` and `␚` stand for the bytes that they are pictures of.
+    In a whole program `{}` is the frame with nothing in it; `␀`, `␚` and `␍` stand for the bytes that they are pictures of.
     """
     for block in page_of(rule, dialect, short=False).blocks:
         frame = "{}" if "whole" in block.options else dialect.frame
@@ -49,6 +50,7 @@ def _value(said: str) -> object:
 def _example(good: bool, lines: Sequence[str], frame: str, settings: Mapping[str, object]) -> Example:
     files: dict[str, list[str]] = {"": []}
     places: list[tuple[int, int, int]] = []
+    elsewhere: list[tuple[str, int, int, int]] = []
     current, row = "", 0
     first = frame[: frame.index("{}")].count("\n")
     for line in lines:
@@ -56,15 +58,15 @@ def _example(good: bool, lines: Sequence[str], frame: str, settings: Mapping[str
             current = named[1]
             files[current] = []
         elif CARETS.fullmatch(line):
-            assert not current, "carets mark the program itself, not another file"
-            places += [(first + row, run.start(), run.end()) for run in re.finditer(r"\^+", line)]
+            spans = [run.span() for run in re.finditer(r"\^+", line)]
+            elsewhere += [(current, row, *span) for span in spans if current]
+            places += [(first + row, *span) for span in spans if not current]
         else:
             row = len(files[current])
             files[current] += line.split("\n")
-    program = frame.replace("{}", "\n".join(files.pop("")))
-    return Example(
-        good, program, {name: "\n".join(text) + "\n" for name, text in files.items()}, settings, tuple(places)
-    )
+    program = frame.replace("{}", "\n".join(files.pop(""))).translate(_BYTES)
+    texts = {name: "\n".join(text) + "\n" for name, text in files.items()}
+    return Example(good, program, texts, settings, tuple(places), tuple(elsewhere))
 
 
 class MemoryHost:
@@ -85,6 +87,6 @@ def checked(
     example: Example, dialect: Dialect, selected: Callable[[Rule], bool] = lambda rule: rule.default
 ) -> list[Finding]:
     """What all default rules of the dialect, or those that are selected, say of an example."""
-    program = source.read(example.program.translate(_BYTES).encode())
+    program = source.read(example.program.encode())
     assert isinstance(program, source.Source)
     return check(program, dialect, RuleSet(dialect, example.settings, selected), "", MemoryHost(example.files))

@@ -25,9 +25,18 @@ class Result:
         self.outcomes = outcomes
 
     def findings(self) -> Iterator[tuple[Finding, str]]:
-        """All findings in order of file, row and column, each with the dialect that it was found in."""
+        """All findings in order of file, row and column, each with the dialect that it was found in.
+
+        What several programs find in a file that they share is one finding.
+        """
+        shared = set[Finding]()
         for outcome in self.outcomes:
-            yield from ((finding, outcome.dialect or "") for finding in outcome.findings)
+            for finding in outcome.findings:
+                if finding.place.file != outcome.file:
+                    if finding in shared:
+                        continue
+                    shared.add(finding)
+                yield finding, outcome.dialect or ""
 
     @cached_property
     def texts(self) -> dict[tuple[str, int], str]:

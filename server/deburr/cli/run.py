@@ -15,6 +15,7 @@ from deburr.finding import Finding
 from deburr.host import Host, NoFiles
 from deburr.source import NotAProgram, Source
 from deburr_grammar.dialects import NAMES, by_name
+from deburr_grammar.text import split_lines
 
 AROUND = 2
 """Lines shown before and behind the line of a finding."""
@@ -123,7 +124,7 @@ def _texts(findings: Iterable[Finding], file: str, found: Source, host: Host) ->
         places = [finding.place, *(related.place for related in finding.related)]
         for place in places:
             if place.file not in files:
-                files[place.file] = (host.read(place.file) or "").split("\n")
+                files[place.file] = split_lines(host.read(place.file) or "")
             lines = files[place.file]
             for line in range(max(0, place.line - AROUND), min(len(lines), place.line + AROUND + 1)):
                 yield (place.file, line), lines[line]

@@ -2,8 +2,10 @@
 
 import re
 from collections.abc import Callable, Hashable, Iterator
+from functools import lru_cache
 from typing import NamedTuple
 
+from deburr_grammar.codes import CodeTable
 from deburr_grammar.dialect import Bracket, Reading, Role, Step
 from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
@@ -49,6 +51,8 @@ _COMMENT = re.compile(r"//[^\n]*")
 _LOOKUP = re.compile(r"#table\([ \t]*(\$?[A-Za-z][A-Za-z0-9_]*)[ \t]*,", re.I)
 _DECLARED = re.compile(r"#tbl[ \t]*(#[A-Za-z][A-Za-z0-9_]*(?:[ \t]*,[ \t]*#[A-Za-z][A-Za-z0-9_]*)*)", re.I)
 _NAME = re.compile(r"#([A-Za-z0-9_]+)")
+_TESTED = re.compile(r"#([A-Za-z][A-Za-z0-9_]*)\(([^()\n]*)\)(?=<)")
+_COMPARES = re.compile("[<>]")
 _COMMAND_OR_BRACKET = re.compile(r"#[A-Za-z][A-Za-z0-9_]*\((?:[^()]|\([^()]*\))*\)|[<>]")
 
 
@@ -108,8 +112,11 @@ def section_name(line: LineNode) -> tuple[str, Span]:
 def brackets(line: LineNode) -> Iterator[Bracket]:
     """The brackets of a template line: those that were read, and on a faulty line those that stand behind the fault."""
     reached = 0
+    tests = misspelt_tests(line.text)
     for token in tokens(line.tree):
         reached = token.end
+        if any(test.start < token.start < test.end for test in tests):
+            continue
         if token.kind in ("LT", "BODY"):
             yield _bracket(Role.OPEN, token.start)
         elif token.kind == "GT":
@@ -125,11 +132,41 @@ def _behind(line: LineNode, reached: int) -> Iterator[Bracket]:
     for token in tokens(line.tree):
         deep = 0 if token.kind == "OPEN" else deep + (token.kind == "LPAR") - (token.kind == "RPAR")
     unfinished = [part for part in line.tree.children if isinstance(part, Token)]
+    lost = False
     if any(part.kind == "OPEN" for part in unfinished):
-        reached = _closed(text, reached, deep)
+        lost = deep < 0
+        reached = reached if lost else _closed(text, reached, deep)
+    elif apart := re.compile(r"[ \t]*\(?").match(text, reached):
+        # The parenthesis of a command, with a blank before it or itself left out.
+        reached = max(reached, _closed(text, apart.end(), 0))
     for match in _COMMAND_OR_BRACKET.finditer(text, reached):
-        if len(match[0]) == 1:
-            yield _bracket(Role.OPEN if match[0] == "<" else Role.CLOSE, match.start())
+        if len(match[0]) > 1:
+            continue
+        if match[0] == ">" and lost:
+            lost = False  # It closes the body whose `<` is what the line lacks.
+            continue
+        lost = lost and match[0] == ">"
+        yield _bracket(Role.OPEN if match[0] == "<" else Role.CLOSE, match.start())
+
+
+def misspelt_tests(text: str) -> list[Span]:
+    """What stands in parentheses behind a word that nobody knows, compares, and has a body: an `#IF` that is misspelt, so its `<` and `>` are no brackets."""
+    found = _TESTED.finditer(text) if "(" in text else ()
+    return [
+        Span(match.end(1), match.end())
+        for match in found
+        if _COMPARES.search(match[2]) and not _known(match[1].upper())
+    ]
+
+
+def _known(name: str) -> bool:
+    return name in _names() or re.fullmatch("[SUV][0-9]{1,2}", name) is not None
+
+
+@lru_cache(maxsize=1)
+def _names() -> frozenset[str]:
+    codes = CodeTable("deburr_grammar.dialects.cgt")
+    return frozenset(entry.name for table in ("word", "command") for entry in codes.table(table))
 
 
 def _closed(text: str, at: int, deep: int) -> int:

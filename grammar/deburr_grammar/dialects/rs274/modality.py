@@ -1,13 +1,25 @@
 """What an RS274 line does to modal state (spec/rs274.md §1.3, §5, §6). Looks at letters and at literal G and M numbers only."""
 
+from math import floor
+
 from deburr_grammar.codes import code_number
 from deburr_grammar.dialect import Effect, Modality
 from deburr_grammar.line import LineNode
 from deburr_grammar.tree import Token
 
-_STAYS = "FST"
+FED = "FED"
+"""The group that tells whether a move has been made for which a feed rate must be known."""
+LOST = "LOST"
+"""The group that tells whether axis words have stood on a line without a G code."""
+AXES = frozenset("XYZABCUVW@^")
+_STAYS = frozenset("FST")
 _ELSEWHERE = frozenset(("M70", "M72", "M73", "M98", "M99"))
 """Codes that run other text, or bring back a state that was kept."""
+_FEEDS = frozenset("G1 G2 G3 G5 G5.1 G5.2 G38.2 G38.3 G38.4 G38.5 G73 G74 G81 G82 G83 G84 G85 G86 G87 G88 G89".split())
+_LONGEST = 40
+_MOTIONS = _FEEDS | frozenset("G0 G33 G33.1 G70 G71 G71.1 G71.2 G72 G72.1 G72.2 G76".split())
+_CLEARS = {"G94": ("F", FED), "G95": ("F", FED), "G80": (LOST,), "G5.3": ("motion", LOST)}
+"""Codes behind which something is as if never set: a feed mode forgets the feed rate, even the mode that is already in force."""
 
 
 def effect(line: LineNode) -> Effect:
@@ -19,19 +31,43 @@ def effect(line: LineNode) -> Effect:
     target = labelled and not any(
         part.kind.isupper() and part.kind != "O" for node in line.find("o_line") for part in node.children
     )
-    return Effect(codes, arrives=target, leaves=calls, maybe="DELETE" in line.kinds)
+    if "G80" in codes and not _MOTIONS.isdisjoint(codes):
+        # Beside a motion code it is passed over.
+        codes = tuple(code for code in codes if code != "G80")
+    unsets = tuple(group for code in codes for group in _CLEARS.get(code, ()))
+    return Effect(codes, arrives=target, leaves=calls, maybe="DELETE" in line.kinds, unsets=unsets)
 
 
 MODALITY = Modality(effect, frozenset(("if",)))
 
 
+def code_of(text: str) -> str:
+    """A literal G or M word as the interpreter rounds it: `g01` and `G1.00001` are `G1`; what it does not take is spelled as it stands."""
+    said = "".join(text.split()).upper()
+    parts = 10 if said[0] == "G" else 1
+    if len(said) > _LONGEST:
+        return code_number(said)
+    value = float(said[1:]) * parts
+    whole, over = floor(value), value - floor(value)
+    if (0.001 if parts == 10 else 1e-4) < over <= (0.999 if parts == 10 else 0.9999):
+        return code_number(said)
+    whole += over > 0.5
+    fraction = f".{whole % parts}" if whole % parts else ""
+    return f"{said[0]}{whole // parts}{fraction}"
+
+
 def _codes(line: LineNode) -> list[str]:
     """The codes and the letters that stay in force; "" for a code that only the run knows."""
-    found = []
+    found, letters = [], set()
     for word in line.find("word"):
         letter, value = line.text[word.start].upper(), word.children[-1]
+        letters.add(letter)
         if letter in "GM":
-            found.append(code_number(line.text[word.start : word.end]) if isinstance(value, Token) else "")
+            found.append(code_of(line.text[word.start : word.end]) if isinstance(value, Token) else "")
         elif letter in _STAYS:
             found.append(letter)
+    if not _FEEDS.isdisjoint(found):
+        found.append(FED)
+    if "G" not in letters and not AXES.isdisjoint(letters):
+        found.append(LOST)
     return found

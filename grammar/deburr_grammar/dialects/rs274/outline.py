@@ -79,8 +79,10 @@ class RS274Outline:
         if state.closed:
             return Step(AFTER_END, (), state)
         line = read(PROGRAM)
-        if "PERCENT" in line.kinds and not line.problems:
-            return Step(PROGRAM, (), state._replace(percent=True, closed=state.percent))
+        if "PERCENT" in line.kinds:
+            # Text beside a `%` is a fault of its own; what the sign was meant for is clear all the same.
+            framed = state._replace(percent=state.percent or state.live, closed=state.percent)
+            return Step(self.reading(state), (), framed)
         bracket = _bracket(line, state)
         if bracket is not None:
             # Behind the end only subprograms are found, so only their first line is more than text.

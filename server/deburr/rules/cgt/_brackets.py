@@ -10,11 +10,12 @@ from deburr_grammar.text import Span
 
 @dataclass(frozen=True, slots=True)
 class Tests:
-    """The words of a bracket that are tested, those that `#EXC` excludes, and operators with no word before them."""
+    """The words of a bracket that are tested, those that `#EXC` excludes, and operators that join nothing: with no word before them (``early``), behind `#EXC` or with no word behind them (``late``)."""
 
     tested: tuple[Item, ...]
     excluded: tuple[Item, ...]
     early: tuple[Item, ...]
+    late: tuple[Item, ...]
 
 
 def tests_of(body: Body) -> Tests:
@@ -22,14 +23,21 @@ def tests_of(body: Body) -> Tests:
     tested: list[Item] = []
     excluded: list[Item] = []
     early: list[Item] = []
+    late: list[Item] = []
+    waiting: list[Item] = []
     excepted = False
     for item in body.items():
         if item.kind == "word":
             (excluded if excepted else tested).append(item)
+            waiting = []
         elif item.kind == "operator":
+            # One that comes before the other has joined a word takes its place.
+            late += waiting
+            waiting = [] if excepted or not tested else [item]
+            late += [item] if excepted and tested else []
             early += [] if tested or excluded else [item]
             excepted = excepted or item.name == "EXC"
-    return Tests(tuple(tested), tuple(excluded), tuple(early))
+    return Tests(tuple(tested), tuple(excluded), tuple(early), (*late, *waiting))
 
 
 def read_brackets(template: Template) -> Iterator[Body]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr_grammar.dialect import Role
-from deburr_grammar.dialects.cgt.outline import brackets
+from deburr_grammar.dialects.cgt.outline import brackets, misspelt_tests
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token, tokens
 
@@ -144,6 +145,8 @@ class Builder:
     def __init__(self, body: Body) -> None:
         self._stack = [body]
         self._head: Item | None = None
+        self._behind = ""
+        """The text behind a command that nobody knows, which may be its arguments."""
 
     def add(self, items: Iterator[Item]) -> None:
         for item in items:
@@ -153,16 +156,30 @@ class Builder:
                 if len(self._stack) > 1:
                     self._stack.pop().closer = item
                 self._head = None
+            elif item.kind == "head":
+                self._head, self._behind = item, ""
             else:
                 self._stack[-1].parts.append(item)
-                waits = self._head is not None and self._head.kind != "if" and (item.blank or item.kind == "comment")
-                if not waits:
+                if not self._waits(item):
                     self._head = item if item.kind in ("if", "else", "repeat") else None
+
+    def _waits(self, item: Item) -> bool:
+        """Whether a body may still follow what stands before the item."""
+        if self._head is None or self._head.kind == "if":
+            return False
+        if self._head.kind == "head" and item.kind in ("text", "word"):
+            self._behind += item.text
+            return re.fullmatch(r"[ \t]*|\([^()]*\)?", self._behind) is not None
+        return item.blank or item.kind == "comment"
 
     def _open(self, item: Item) -> None:
         parts = self._stack[-1].parts
         head, self._head = self._head, None
-        kind = "unknown" if item.name == "?" else head.kind if head else "bracket"
+        doubtful = item.name == "?" or (head is not None and head.kind == "head")
+        if head is not None and head.kind == "head":
+            # A word that nobody knows may be a command; one with a body has it on its own line.
+            doubtful, head = doubtful and (head.name == "?" or head.line == item.line), None
+        kind = "unknown" if doubtful else head.kind if head else "bracket"
         body = Body(kind, item, head, self._stack[-1], len(self._stack))
         parts.append(body)
         self._stack.append(body)
@@ -172,8 +189,11 @@ class Builder:
 def raw_items(node: LineNode) -> tuple[tuple[str, int, int, Node | None], ...]:
     """The items of a line without its number: kind, columns, the command's node."""
     found: list[tuple[str, int, int, Node | None]] = []
+    tests = misspelt_tests(node.text)
     for part in node.tree.children:
         if isinstance(part, Token):
+            if part.kind in ("LT", "GT") and any(test.start < part.start < test.end for test in tests):
+                continue
             if part.kind in _TOKENS:
                 found.append((_TOKENS[part.kind], part.start, part.end, None))
             elif part.kind != "SEPARATOR":
@@ -183,6 +203,9 @@ def raw_items(node: LineNode) -> tuple[tuple[str, int, int, Node | None], ...]:
         elif part.kind in COMMANDS:
             found.append((part.kind, part.start, part.end, part))
     if node.problems:
+        found += [
+            ("head", problem.start, problem.end, LOST) for problem in node.problems if problem.kind == "if-syntax"
+        ]
         known = {start for _, start, _, _ in found}
         lost = [bracket for bracket in brackets(node) if bracket.span.start not in known]
         found += [("open" if bracket.role is Role.OPEN else "close", *bracket.span, LOST) for bracket in lost]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from difflib import get_close_matches
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -81,10 +80,15 @@ class Symbols:
 
     def similar(self, name: str, words: Iterable[str] = ()) -> str:
         """The end of a message: `; did you mean `#XPOS`?`, or nothing."""
+        found = self.nearest(name, words)
+        return f"; did you mean `#{found}`?" if found else ""
+
+    def nearest(self, name: str, words: Iterable[str] = ()) -> str:
+        """The known word that is spelled most like a name; nothing if none is."""
         known = {*self.declared, *self._known, *words}
-        by_upper = {each.upper(): each for each in sorted(known)}
-        found = get_close_matches(name.upper(), by_upper, 1, 0.7)
-        return f"; did you mean `#{by_upper[found[0]]}`?" if found else ""
+        # `#INTEGER` is far from `#INT` by its letters.
+        longer = [each for each in known if len(each) > 2 and name.upper().startswith(each.upper())]
+        return nearest(name, known) or max(longer, key=len, default="")
 
     def _spell(self, name: str, output: bool) -> Spelled:
         whole = self._whole(name)
@@ -110,6 +114,15 @@ class Symbols:
         return Spelled("class", name) if name in format_classes() else None
 
 
+def nearest(name: str, names: Iterable[str]) -> str:
+    """The name that is spelled most like another one in any case; nothing if none is."""
+    from difflib import get_close_matches
+
+    by_upper = {each.upper(): each for each in sorted(names)}
+    found = get_close_matches(name.upper(), by_upper, 1, 0.7)
+    return by_upper[found[0]] if found else ""
+
+
 @lru_cache(maxsize=1)
 def commands() -> frozenset[str]:
     """The names of all commands and operators."""
@@ -126,6 +139,30 @@ def format_classes() -> frozenset[str]:
 def functions() -> Mapping[str, tuple[int, int]]:
     """How few and how many arguments each function takes."""
     return {entry.name: (entry.more["min_args"], entry.more["max_args"]) for entry in _codes().table("function")}
+
+
+def built_in(name: str) -> str | None:
+    """What sort of word or command a name is without a machine file; None where it is free."""
+    word = _system().get(name) or _numbered(name)
+    return word.type if word else "command" if name in commands() else None
+
+
+def missing_sign(said: str) -> str:
+    """The end of a message about a name that is a word but for its `#`: `; did you mean `#V1`?`, or nothing."""
+    name = said.upper()
+    return f"; did you mean `#{name}`?" if _system().get(name) or _numbered(name) else ""
+
+
+def rows_of(name: str) -> list[str]:
+    """The codes that a system word prints where neither a machine file nor a section says otherwise."""
+    entry = _codes().entry("word", name)
+    return list(entry.more.get("codes", ())) if entry else []
+
+
+@lru_cache(maxsize=1)
+def table_words() -> frozenset[str]:
+    """The system words that print a row of a table."""
+    return frozenset(name for name, word in _system().items() if word.type == "table")
 
 
 @lru_cache(maxsize=1)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import tomllib
+import re
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 from weakref import WeakKeyDictionary
 
+from deburr.rules.cgt._beside import machine_of
 from deburr.rules.cgt._items import (
     DEEPEST,
     LOST,
@@ -56,7 +57,7 @@ class Use(NamedTuple):
 
 
 class Template:
-    """All of it, read once for each version of a program."""
+    """All of it, read once for each version of a program; ``machine`` is what its machine file says."""
 
     def __init__(self, analysis: Analysis) -> None:
         self.lines = tuple(_read_lines(analysis))
@@ -65,9 +66,8 @@ class Template:
             Word(d.name, DECLARED_TYPES[d.command], not d.command.startswith("CALC"))
             for d in reversed(self.declarations)
         ]
-        machine = _machine(analysis)
-        self.machine_tables = frozenset(machine["tables"])
-        self.symbols = Symbols({word.name: word for word in words}, machine["words"])
+        self.machine = machine_of(analysis)
+        self.symbols = Symbols({word.name: word for word in words}, self.machine.words)
         self.uses: list[Use] = []
         self.sections = self._sections()
         self.by_name = {section.name: section for section in reversed(self.sections) if not section.faulty}
@@ -79,6 +79,20 @@ class Template:
         bodies = ((section, body) for section in self.sections for body in section.body.bodies())
         found = (Placed(item, section, body) for section, body in bodies for item in body.items())
         return tuple(sorted(found, key=lambda placed: (placed.item.line, placed.item.start)))
+
+    @cached_property
+    def named_in_faults(self) -> frozenset[str]:
+        """Names on lines that cannot be read to their end: what such a line does with them is not known."""
+        faulty = (node.text for _, node in self.lines if node.problems)
+        return frozenset(name for text in faulty for name in _NAME.findall(text))
+
+    @cached_property
+    def presumed(self) -> frozenset[str]:
+        """Names that `@DECLARE` holds without declaring them, because a comma, a sign or the type before them is wrong."""
+        lines = {use.line: use for use in reversed(self.uses) if use.section.reading == "declare"}
+        loose = {use.said for use in self.uses if use.role == "output" and _declares(lines.get(use.line))}
+        faulty = (node.text for _, node in self.lines if node.problems and node.reading.name == "declare")
+        return frozenset(loose | {name for text in faulty for name in _NAME.findall(text)})
 
     @cached_property
     def bodies(self) -> tuple[Body, ...]:
@@ -153,6 +167,8 @@ class Template:
         }
         found = kind.get(spelled.name, "word") if spelled.kind == "command" else "word"
         yield Item(found, item.line, item.start, end, item.text[: end - item.start], spelled.name)
+        if spelled.kind in ("unknown", "undeclared"):
+            yield Item("head", item.line, item.start, end, item.text)
         if spelled.rest:
             yield Item("text", item.line, end, item.end, spelled.rest)
 
@@ -162,6 +178,12 @@ class Template:
             yield Use(line, Span(token.start, token.end), said, role, self.symbols.spell(said, False), section)
 
 
+def _declares(first: Use | None) -> bool:
+    """Whether a line of `@DECLARE` begins with a declaration, or with a word that may be a misspelt one."""
+    return first is not None and (first.role == "declared" or first.spelled.kind == "unknown")
+
+
+_NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
 _templates: WeakKeyDictionary[Analysis, Template] = WeakKeyDictionary()
 
 
@@ -186,15 +208,3 @@ def _read_lines(analysis: Analysis) -> Iterator[tuple[int, LineNode]]:
             node = piece.node(index)
             if node.reading.start is not None:
                 yield piece.line + index, node
-
-
-def _machine(analysis: Analysis) -> dict[str, dict[str, Any]]:
-    """The words and tables of the machine file; one that cannot be read has none."""
-    path = analysis.settings.get("machine") or ""
-    text = analysis.host.read(path) if path else None
-    try:
-        read = tomllib.loads(text or "")
-    except tomllib.TOMLDecodeError:
-        read = {}
-    tables = {key: value if isinstance(value := read.get(key), dict) else {} for key in ("words", "tables")}
-    return {**tables, "words": {name: kind for name, kind in tables["words"].items() if isinstance(kind, str)}}

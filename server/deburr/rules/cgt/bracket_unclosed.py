@@ -7,8 +7,8 @@ Source: spec/cgt.md §5.2, §7
 
 Bad:
 
-    <X#XPOS
-    ^
+    <#MOV>< X#XPOS>< Y#YPOS>< Z#ZPOS
+                            ^
 
 Bad:
 

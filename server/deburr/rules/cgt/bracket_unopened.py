@@ -6,8 +6,8 @@ Source: spec/cgt.md §2, §7
 
 Bad:
 
-    X#XPOS>
-          ^
+    <#MOV> X#XPOS>
+                 ^
 
 Good:
 

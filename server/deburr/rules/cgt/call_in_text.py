@@ -7,11 +7,11 @@ Source: spec/cgt.md §5.5
 
 Bad:
 
-    G0 #CALL(a) M8
-       ^^^^^^^^
+    S#SPEED M03 #CALL(coolant)
+                ^^^^^^^^^^^^^^
     @
-    @a
-    M09
+    @coolant
+    M08
     @
 
 Bad:

@@ -8,9 +8,10 @@ Source: spec/cgt.md §5.5
 Bad:
 
     @
-    @a
-    #CALL(a)
-    ^^^^^^^^
+    @retract
+    G53 Z0
+    #CALL(retract)
+    ^^^^^^^^^^^^^^
     @
 
 Bad:
@@ -20,10 +21,10 @@ Bad:
 
 Good:
 
-    #CALL(a)
+    #CALL(retract)
     @
-    @a
-    M08
+    @retract
+    G53 Z0
     @
 """
 

@@ -65,7 +65,7 @@ import re
 from collections.abc import Iterator
 
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
-from deburr.rules.cgt._symbols import commands
+from deburr.rules.cgt._symbols import commands, missing_sign
 from deburr_grammar.problem import Problem
 
 
@@ -75,4 +75,12 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
     said = line.said(problem)
     command = re.match("#([A-Za-z]+)", said)
     what = "is no complete command" if command and command[1].upper() in commands() else "does not fit into the command"
-    yield Report(whole(problem), f"`{said}` {what}{expected(problem)}")
+    bare = "a section's name" in problem.expected and re.fullmatch("[#@]([A-Za-z][A-Za-z0-9_]*)", said)
+    hint = f"; write the name alone, `{bare[1]}`" if bare else missing_sign(said) or _needed(problem)
+    yield Report(whole(problem), f"`{said}` {what}{hint}")
+
+
+def _needed(problem: Problem) -> str:
+    # A name without `#` is read as a function, whose parenthesis is then all that can follow.
+    bare = problem.expected == ("`(`",)
+    return "; a word begins with `#`, and a function has `(` behind its name" if bare else expected(problem)

@@ -7,24 +7,24 @@ Source: spec/cgt.md §7
 Bad:
 
     @DECLARE
-    #INT #a
-    #DEC #a
-         ^^
+    #INT #depth
+    #DEC #depth
+         ^^^^^^
 
 Bad:
 
     @DECLARE
-    #INT #b, #b
-             ^^
+    #INT #passes, #passes
+                  ^^^^^^^
 
 Good:
 
     @DECLARE
-    #INT #a
-    #DEC #A1
+    #INT #passes
+    #DEC #depth
     @
     @DWELL
-    #a #A1
+    #REPEAT(#passes)<G01 Z#depth>
 """
 
 from collections.abc import Iterator

@@ -13,6 +13,15 @@ Bad:
     #V1
     ^^^
 
+Bad:
+
+    @DECLARE
+    #INT #passes #depth
+                 ^^^^^^
+    @
+    @DWELL
+    #REPEAT(#passes)<G04 P#depth>
+
 Good:
 
     @DECLARE
@@ -30,8 +39,15 @@ from deburr.rules.cgt._template import template_of
 @rule(Severity.WARNING, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the first text of each line."""
+    template = template_of(analysis)
+    unknown = {(use.line, use.span.start) for use in template.uses if use.spelled.kind == "unknown"}
+    declared = {each.line: each for each in template.declarations}
     seen = set[int]()
-    for item, section, _ in template_of(analysis).items:
+    for item, section, _ in template.items:
         if section.reading == "declare" and item.printed and item.line not in seen:
             seen.add(item.line)
-            yield Report(item.span, f"`{item.text.strip()}` stands in `@DECLARE`, where nothing is output", item.line)
+            if (item.line, item.start) in unknown:
+                continue
+            hint = "; a comma is missing before it" if item.kind == "word" and item.line in declared else ""
+            message = f"`{item.text.strip()}` stands in `@DECLARE`, where nothing is output{hint}"
+            yield Report(item.span, message, item.line)

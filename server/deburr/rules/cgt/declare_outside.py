@@ -7,28 +7,45 @@ Source: spec/cgt.md §5.1
 
 Bad:
 
-    #INT #a
-    ^^^^^^^
+    #INT #passes
+    ^^^^^^^^^^^^
+
+Bad:
+
+    @
+    @DELCARE
+    ^^^^^^^^
+    #INT #passes
+    #DEC #depth
+    @
+    @DWELL
+    #REPEAT(#passes)<G04 P#depth>
 
 Good:
 
     @DECLARE
-    #INT #a
+    #INT #passes
     @
     @DWELL
-    #a
+    #REPEAT(#passes)<G04 P1>
 """
 
 from collections.abc import Iterator
 
-from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr_grammar.text import Span
-from deburr_grammar.tree import Node
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._sections import misspelt_declare
+from deburr.rules.cgt._template import template_of
 
 
-@rule(Severity.ERROR, Nodes(("declaration",)))
-def check(line: Line, node: Node) -> Iterator[Report]:
-    """Report the declaration."""
-    if line.node.reading.name != "declare":
-        message = f"`{line.said(node)}` declares outside `@DECLARE`; move it there"
-        yield Report(Span(node.start, node.end), message)
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the declaration; where the section's name is misspelt, that."""
+    template = template_of(analysis)
+    misspelt = misspelt_declare(template)
+    for section in misspelt:
+        message = f"`@{section.name}` declares words, which only `@DECLARE` may; did you mean `@DECLARE`?"
+        yield Report(section.span, message, section.line)
+    for item, section, _ in template.of("declaration"):
+        if section.reading != "declare" and section not in misspelt:
+            yield Report(item.span, f"`{item.text}` declares outside `@DECLARE`; move it there", item.line)

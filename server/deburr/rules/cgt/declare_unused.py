@@ -27,21 +27,19 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import Template, template_of
+from deburr.rules.cgt._template import template_of
 
 
 @rule(Severity.INFO, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the declaration."""
     template = template_of(analysis)
-    used = {use.spelled.name for use in template.uses if use.role not in ("declared", "macro")}
+    uses = [use for use in template.uses if use.role not in ("declared", "macro")]
+    used = {use.spelled.name for use in uses}
+    # A misspelt use is reported where it stands, and offers the declared name.
+    used |= {template.symbols.nearest(use.said) for use in uses if use.spelled.kind in ("undeclared", "unknown")}
     times = Counter(each.name for each in template.declarations)
     for each in template.declarations:
         known = each.name in template.symbols.declared and times[each.name] == 1
-        if each.inside and known and each.name not in used and not _in_faulty(template, each.name):
+        if each.inside and known and each.name not in used | template.named_in_faults:
             yield Report(each.span, f"`#{each.name}` is declared and never used", each.line)
-
-
-def _in_faulty(template: Template, name: str) -> bool:
-    """Whether a line that could not be read to its end names the word."""
-    return any(f"#{name}" in node.text for _, node in template.lines if node.problems)

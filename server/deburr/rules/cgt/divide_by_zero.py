@@ -7,8 +7,8 @@ Source: spec/cgt.md §5.8, §11
 
 Bad:
 
-    #EVAL(#V1=1/0)
-                ^
+    #EVAL(#V1=#FEED/0)
+                    ^
     #EVAL(#V1=#V2/(2-2))
                   ^^^^^
     #EVAL(#V1=MOD(#V2,0.9))

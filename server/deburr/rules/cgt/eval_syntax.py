@@ -39,4 +39,6 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report what does not fit."""
-    yield Report(whole(problem), f"`{line.said(problem)}` does not fit into an assignment{expected(problem)}")
+    said = line.said(problem)
+    what = "is no complete assignment" if said.upper().startswith("#EVAL") else "does not fit into an assignment"
+    yield Report(whole(problem), f"`{said}` {what}{expected(problem)}")

@@ -45,11 +45,12 @@ Good:
     #EVMS(#x=M03)
 """
 
+import re
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._symbols import Symbols
+from deburr.rules.cgt._symbols import Symbols, functions, missing_sign
 from deburr.rules.cgt._template import Item, template_of
 from deburr.rules.cgt._types import is_plain, misfits, no_numbers, value_of
 from deburr_grammar.text import Span
@@ -91,13 +92,25 @@ def _of(item: Item, is_text: bool, symbols: Symbols, text: str) -> Iterator[Repo
 
 def _number_faults(value: Node | Token, symbols: Symbols, text: str) -> Iterator[tuple[Node | Token, str]]:
     for part in no_numbers(symbols, text, value):
-        word = symbols.find(text[part.start + 1 : part.end]) if part.kind == "WORD" else None
-        yield (
-            part,
-            "is a number, and the function takes a text"
-            if word and not word.is_text
-            else "is a text where a number is needed",
-        )
+        said = text[part.start : part.end]
+        word = symbols.find(said[1:]) if part.kind == "WORD" else None
+        if word and not word.is_text:
+            yield part, "is a number, and the function takes a text"
+        else:
+            yield part, f"is a text where a number is needed{_meant(said) if part.kind == 'CHARS' else ''}"
+
+
+def _meant(said: str) -> str:
+    """What a text may be meant for: a function without its parentheses, a word without its sign, or indeed a text."""
+    if said.startswith("="):
+        return "; one `=` assigns"
+    if "[" in said:
+        return "; a calculation is grouped by `(` and `)`"
+    names = re.findall(r"(?<![#A-Za-z0-9_])[A-Za-z][A-Za-z0-9_]*", said)
+    if name := next((name.upper() for name in names if name.upper() in functions()), ""):
+        return f"; write `{name}(...)`"
+    hints = map(missing_sign, names)
+    return next((hint for hint in hints if hint), "; text is held by `#S` words and by words of type `#STR`")
 
 
 def _text_faults(value: Node | Token, symbols: Symbols, text: str) -> Iterator[tuple[Node | Token, str]]:

@@ -7,8 +7,8 @@ Source: spec/cgt.md §5.5
 
 Bad:
 
-    #EXITC
-    ^^^^^^
+    #IF(#DWELL<=0)<#EXITC>
+                   ^^^^^^
 
 Good:
 

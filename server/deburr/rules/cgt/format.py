@@ -28,21 +28,28 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.formats.machine import FORMAT
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
-
-_FORMAT = re.compile(r"[DFTLPZE][+!]?[0-9]+\.[0-9]+")
 
 
 @rule(Severity.ERROR, Nodes(("fmt",)))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the format or the width."""
-    said, *width = (part for part in node.children if part.kind == "FORMAT")
-    if not _FORMAT.fullmatch(line.said(said)):
-        close = _FORMAT.fullmatch(line.said(said).upper())
-        hint = f"; did you mean `{close[0]}`?" if close else ""
-        yield Report(Span(said.start, said.end), f"`{line.said(said)}` is no format such as `D3.4`{hint}")
-    for part in width:
-        if not re.fullmatch("[0-9]+", line.said(part)):
-            yield Report(Span(part.start, part.end), f"`{line.said(part)}` is no width; a whole number is needed")
+    said, *width = (line.said(part) for part in node.children if part.kind == "FORMAT")
+    spans = [Span(part.start, part.end) for part in node.children if part.kind == "FORMAT"]
+    if not FORMAT.fullmatch(said):
+        yield Report(spans[0], f"`{said}` is no format such as `D3.4`{_hint(said, width)}")
+    elif width and not re.fullmatch("[0-9]+", width[0]):
+        yield Report(spans[1], f"`{width[0]}` is no width; a whole number is needed")
+
+
+def _hint(said: str, width: list[str]) -> str:
+    """What was meant, or which part is missing."""
+    tried = (said.upper(), f"{said}.{width[0]}" if width else "", f"{said}.0")
+    if (found := next((each for each in tried if FORMAT.fullmatch(each)), None)) is not None:
+        return f"; did you mean `{found}`?"
+    if not re.match("[DFTLPZE]", said):
+        return "; its first letter is one of D F T L P Z E"
+    return "; digits must stand on both sides of the point"

@@ -7,8 +7,8 @@ Source: spec/cgt.md §4, §7
 
 Bad:
 
-    #GETBLK(0)
-    ^^^^^^^^^^
+    GOTO #GETBLK(0)
+         ^^^^^^^^^^
     #SETBLK(1)
 
 Good:

@@ -7,7 +7,7 @@ Source: spec/cgt.md §5.4
 
 Bad:
 
-    #IF(#V2>3#OR#V2<-1)<..>
+    #IF(#V2>3#OR#V2<-1)<M08>
              ^^^
     #IFSTR(#S1=G00#AND#S2=G01,#OR#S3=)<M08>
                   ^^^^

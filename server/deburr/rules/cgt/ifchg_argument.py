@@ -7,7 +7,7 @@ Source: spec/cgt.md §5.4, §7
 
 Bad:
 
-    #IFCHG(3)<..>
+    #IFCHG(3)<M08>
            ^
     #IFCHG()<M08>
     ^^^^^^^^

@@ -7,7 +7,7 @@ Source: spec/cgt.md §5.8, §7
 
 Bad:
 
-    T#JOS(x)
+    T#JOS(TOOL_NO)
      ^^^^
     (LENGTH JOS_STR(length))
             ^^^^^^^

@@ -7,9 +7,9 @@ Source: spec/cgt.md §5.6
 
 Bad:
 
-    #REPEAT(-1)<..>
+    #REPEAT(-1)<M98 P100>
             ^^
-    #REPEAT(1.5)<..>
+    #REPEAT(1.5)<M98 P100>
             ^^^
     #REPEAT(#S1)<M08>
             ^^^

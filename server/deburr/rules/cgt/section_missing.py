@@ -7,8 +7,8 @@ Source: spec/cgt.md §5.5, §7
 
 Bad:
 
-    #CALL(nope)
-          ^^^^
+    #CALL(TOOLCHNG)
+          ^^^^^^^^
 
 Bad:
 
@@ -37,8 +37,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._sections import similar_section
-from deburr.rules.cgt._template import target, template_of
+from deburr.rules.cgt._sections import missing, similar_section
+from deburr.rules.cgt._template import template_of
 
 
 @rule(Severity.ERROR, Whole())
@@ -46,10 +46,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
     """Report the name that leads nowhere."""
     template = template_of(analysis)
     names = {section.name for section in template.sections}
-    for call, _ in template.calls():
-        name, span = target(call)
-        if name not in names:
-            yield Report(span, f"there is no section `@{name}` to run{similar_section(name, names)}", call.line)
-    for each in template.declarations:
-        if each.command.startswith("CALC") and each.inside and f"${each.name}" not in names:
-            yield Report(each.span, f"there is no section `@${each.name}` to compute `#{each.name}`", each.line)
+    for name, line, span, word in missing(template):
+        purpose = f"to compute `#{word}`" if word else "to run"
+        yield Report(span, f"there is no section `@{name}` {purpose}{similar_section(name, names)}", line)

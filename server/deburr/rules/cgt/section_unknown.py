@@ -35,7 +35,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._sections import computed, similar_section
+from deburr.rules.cgt._sections import computed, misspelt, misspelt_declare, similar_section
 from deburr.rules.cgt._template import target, template_of
 from deburr_grammar.dialects.cgt.outline import SECTIONS
 
@@ -44,7 +44,8 @@ from deburr_grammar.dialects.cgt.outline import SECTIONS
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the header."""
     template = template_of(analysis)
-    used = SECTIONS | {target(call)[0] for call, _ in template.calls()} | computed(template)
+    used = SECTIONS | {target(call)[0] for call, _ in template.calls()} | computed(template) | misspelt(template)
+    used |= template.named_in_faults | {section.name for section in misspelt_declare(template)}
     for section in template.sections:
         if not (section.faulty or section.is_table or section.name in used):
             hint = similar_section(section.name, SECTIONS)

@@ -7,13 +7,13 @@ Source: spec/cgt.md §5.7
 
 Bad:
 
-    #TABLE(t, 4)#TABLE(t,-1)
-              ^
-                         ^^
-    #TABLE(t,1.5)
-             ^^^
+    (COOLANT #TABLE(levels, 4))
+                            ^
+    #TABLE(levels,-1)#TABLE(levels,1.5)
+                  ^^
+                                   ^^^
     @
-    @t
+    @levels
     0,Off
     1,Low
 
@@ -22,9 +22,10 @@ Bad:
 
 Good:
 
-    #TABLE(t, 0)#TABLE(t, 3)#TABLE(t,#V1)
+    (COOLANT #TABLE(levels, 0))
+    #TABLE(levels, 3)#TABLE(levels,#V1)
     @
-    @t
+    @levels
     0,Off
     1,Low
     2,Med

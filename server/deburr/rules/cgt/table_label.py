@@ -36,8 +36,11 @@ from deburr_grammar.text import Span
 @rule(Severity.WARNING, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the label."""
-    for section in template_of(analysis).sections:
+    template = template_of(analysis)
+    for section in template.sections:
         for index, row in enumerate(section.rows):
+            if row.line in template.faulty_lines:
+                continue
             label = row.node.find("LABEL")
             said = row.text[label.start : label.end].strip(" \t") if label else ""
             if label and re.fullmatch("[0-9]+", said) and said.lstrip("0") != str(index).lstrip("0"):

@@ -35,6 +35,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._symbols import commands, format_classes
 from deburr.rules.cgt._template import Use, template_of
 
 
@@ -43,8 +44,8 @@ def check(analysis: Analysis) -> Iterator[Report]:
     """Report the word."""
     template = template_of(analysis)
     for use in template.uses:
-        if _asked(use) and use.spelled.kind == "undeclared":
-            hint = template.symbols.similar(use.said)
+        if _asked(use) and use.spelled.kind == "undeclared" and use.said not in template.presumed:
+            hint = template.symbols.similar(use.said, format_classes() if use.role == "format" else commands())
             yield Report(use.span, f"`#{use.said}` is not declared; declare it in `@DECLARE`{hint}", use.line)
         elif use.spelled.kind == "class" and use.role in ("output", "argument"):
             yield Report(use.span, f"`#{use.said}` is a class of formats and no word; only `#FMT` takes it", use.line)

@@ -7,8 +7,8 @@ Source: spec/cgt.md §11, *Words*
 
 Bad:
 
-    #NOPE
-    ^^^^^
+    A#AANGLE
+     ^^^^^^^
     <X#XPSO>
       ^^^^^
     #EVAL(#V1=#XPOSY)
@@ -33,6 +33,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._symbols import commands, format_classes
 from deburr.rules.cgt._template import template_of
 
 
@@ -40,11 +41,14 @@ from deburr.rules.cgt._template import template_of
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the word."""
     template = template_of(analysis)
+    machine = template.machine
     for use in template.uses:
         if use.role in ("macro", "declared"):
             continue
         if use.spelled.kind == "unknown":
-            hint = template.symbols.similar(use.said)
+            if machine.lost or use.said in machine.doubtful:
+                continue
+            hint = template.symbols.similar(use.said, format_classes() if use.role == "format" else commands())
             yield Report(
                 use.span, f"`#{use.said}` is no known word, so the template cannot be expanded{hint}", use.line
             )

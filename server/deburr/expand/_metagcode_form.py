@@ -1,0 +1,97 @@
+"""What is wrong with the form of a MetaGCODE text before any value is looked at: its lines, its blocks (spec/metagcode.md §4, §10).
+
+The faults of a line are those that the rules on lines name, whether they are switched on or
+not: a line that they refuse cannot be run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import lru_cache
+
+from deburr.expand._metagcode_gather import Gathered, Place
+from deburr.expand._metagcode_lines import Directive
+from deburr.expand.job import SLICE
+from deburr.fault import Fault
+from deburr.finding import Severity
+from deburr.rule import Nodes, Report, Rule, Syntax, Text
+from deburr.ruleset import RuleSet
+from deburr_grammar.dialect import Bracket, Role
+from deburr_grammar.document import Piece
+from deburr_grammar.text import with_newlines
+
+NESTED = 200
+"""How deep blocks may be nested in the gathered text."""
+
+
+def line_faults(reached: Place, ruleset: RuleSet) -> Iterator[Fault | None]:
+    """The faults in the form of a file's lines, in order; None now and then, where a run may be left."""
+    rules = _refusing(ruleset)
+    text = reached.source.text
+    for piece in text.document.pieces():
+        found = ((piece.line + index, rule, report) for index, rule, report in _reports(piece, rules))
+        for row, rule, report in sorted(found, key=lambda each: (each[0], each[2].span)):
+            yield Fault(rule.short, text.file, row, report.span, report.message, reached.stack)
+        yield None
+
+
+def tie(gathered: Gathered) -> Iterator[Fault | None]:
+    """Tie the two ends of each block together, innermost first; None now and then.
+
+    What has no other end, or a wrong one, is a fault, and closes its block all the same.
+    """
+    blocks: list[tuple[int, Directive]] = []
+    for at, step in enumerate(gathered.steps):
+        if at % SLICE == 0:
+            yield None
+        if not isinstance(step, Directive):
+            continue
+        if step.bracket.role is Role.OPEN:
+            blocks.append((at, step))
+            if len(blocks) == NESTED + 1:
+                yield _fault("limit", gathered, at, f"blocks are nested more than {NESTED} deep here, which is refused")
+        elif not blocks:
+            yield _fault("block-unopened", gathered, at, f"`{step.said}` closes nothing: no block is open here")
+        else:
+            other, opener = blocks.pop()
+            gathered.partners[at], gathered.partners[other] = other, at
+            if not _tied(opener.bracket, step.bracket):
+                message = f"`{step.said}` cannot close `{opener.said}`, the innermost open block"
+                yield _fault("block-mismatch", gathered, at, message)
+    for at, step in blocks:
+        yield _fault("block-unclosed", gathered, at, f"`{step.said}` is never closed")
+
+
+@lru_cache(maxsize=8)
+def _refusing(ruleset: RuleSet) -> RuleSet:
+    """The rules on lines that say what cannot be run, as they are where nothing is configured."""
+
+    def refuses(rule: Rule) -> bool:
+        return rule.severity is Severity.ERROR and isinstance(rule.trigger, Syntax | Nodes | Text)
+
+    return RuleSet(ruleset.dialect, ruleset.settings, refuses)
+
+
+def _reports(piece: Piece, rules: RuleSet) -> Iterator[tuple[int, Rule, Report]]:
+    """What the rules say of a piece, with the lines counted from its first."""
+    for reading, first, shapes in piece.read():
+        plans = {shape: plan for shape in set(shapes) if (plan := rules.plan(shape, reading))}
+        for index in (at for at, shape in enumerate(shapes, first) if shape in plans) if plans else ():
+            for rule, report in rules.on_line(piece.node(index), plans[shapes[index - first]]):
+                yield index, rule, report
+    text = with_newlines(piece.chunk.text)
+    for rule, pattern in rules.on_text:
+        for index in dict.fromkeys(text.count("\n", 0, match.start()) for match in pattern.finditer(text)):
+            for found, report in rules.on_line(piece.node(index), (rule,)):
+                yield index, found, report
+
+
+def _tied(opener: Bracket, closer: Bracket) -> bool:
+    """Whether two ends belong together; a missing label, which has a rule of its own, fits any."""
+    return opener.kind == closer.kind and (opener.label == closer.label or None in (opener.label, closer.label))
+
+
+def _fault(kind: str, gathered: Gathered, at: int, message: str) -> Fault:
+    step = gathered.steps[at]
+    assert isinstance(step, Directive)
+    return Fault(kind, step.text.file, step.row, step.bracket.span, message, gathered.places[at].stack)

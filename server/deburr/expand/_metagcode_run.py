@@ -1,0 +1,265 @@
+"""Phase 2 of a MetaGCODE run: the gathered text followed line by line, with values filled in (spec/metagcode.md §5.2 to §5.5)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple, NoReturn
+
+from deburr.arithmetic.metagcode import DECIMALS, MOST_DECIMALS, Counted, passes
+from deburr.expand._metagcode_lines import Condition, Counter, Directive, Item
+from deburr.fault import Entered, Fault, Frame, Halt
+from deburr.suggest import suggestion
+from deburr_grammar.dialect import Role
+from deburr_grammar.dialects.metagcode.forms import names, number
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from decimal import Decimal
+
+    from deburr.expand._metagcode_gather import Gathered, Place
+    from deburr.expand.job import Job
+
+PASSES = 100_000
+"""Passes that one loop may make."""
+ALL_PASSES = 1_000_000
+"""Passes that all loops together may make."""
+_LONG = 60
+_VAST = 10**15
+
+
+class Quantity(NamedTuple):
+    """A value that is a number: the item that names it, its text, its value."""
+
+    item: Item
+    text: str
+    value: Decimal
+
+
+class Loop:
+    """A loop that is under way."""
+
+    __slots__ = ("count", "counters", "frame", "frames", "head", "number", "outer", "saved")
+
+    def __init__(self, head: int, outer: Frame | None, count: int, counters: dict[str, Counted]) -> None:
+        self.head = head
+        self.outer = outer
+        self.count = count
+        self.counters = counters
+        self.number = 0
+        self.saved: dict[str, str] = {}
+        self.frame: Frame | None = outer
+        self.frames: dict[Place, Frame] = {}
+
+
+class Run:
+    """One run over a gathered text. ``unsure``: what it meets proves nothing of real programs."""
+
+    def __init__(self, job: Job, gathered: Gathered, values: dict[str, str], unsure: bool) -> None:
+        self._job = job
+        self._gathered = gathered
+        self._values = values
+        self._unsure = unsure
+        decimals = DECIMALS if job.inputs.decimals is None else job.inputs.decimals
+        self._decimals = min(decimals, MOST_DECIMALS)
+        self._loops: list[Loop] = []
+        self._outside: dict[Place, Frame] = {}
+        self._frames = self._outside
+        """The frames of snippets in the innermost loop pass, or outside all loops."""
+        self._passes = 0
+
+    def steps(self) -> Iterator[None]:
+        """Run to the end, in slices of executed lines."""
+        steps, emit, filled = self._gathered.steps, self._job.emit, self._filled
+        at = left = 0
+        while at < len(steps):
+            step = steps[at]
+            if isinstance(step, Directive):
+                if not left:
+                    yield
+                    left = self._slice(at, step.row)
+                left -= 1
+                at = self._directive(at, step)
+                continue
+            file, frame = step.text.file, self._frame(at)
+            for row, line in enumerate(step.lines, step.first):
+                if not left:
+                    yield
+                    left = self._slice(at, row)
+                left -= 1
+                emit(line if isinstance(line, str) else filled(at, row, line), file, row, frame)
+            at += 1
+
+    def _slice(self, at: int, row: int) -> int:
+        return self._job.slice(self._gathered.steps[at].text.file, row, self._frame(at), self._where())
+
+    def _where(self) -> str:
+        """The innermost loop and what it counts, in words."""
+        if not self._loops:
+            return ""
+        loop = self._loops[-1]
+        head = self._gathered.steps[loop.head]
+        assert isinstance(head, Directive)
+        values = " and ".join(f"`|{name}|` = {_short(self._values[name])}" for name in loop.counters)
+        return f"pass {loop.number:,} of {loop.count:,} of `{head.said}` with {values}"
+
+    def _filled(self, at: int, row: int, line: tuple[str, ...]) -> str:
+        values = self._values
+        try:
+            return "".join([values[each] if index & 1 else each for index, each in enumerate(line)])
+        except KeyError as missing:
+            text = self._gathered.steps[at].text.document.line(row)
+            start = next(start for start, name in names(text) if name == missing.args[0])
+            self._undefined(at, row, missing.args[0], Span(start, text.index("|", start + 1) + 1))
+
+    def _directive(self, at: int, step: Directive) -> int:
+        """Follow a directive; the step that comes next."""
+        opens = step.bracket.role is Role.OPEN
+        if step.bracket.kind == "if":
+            return at + 1 if not opens or self._holds(at, step, step.condition) else self._gathered.partners[at] + 1
+        return self._enter(at, step) if opens else self._again(at)
+
+    def _holds(self, at: int, step: Directive, asked: Condition) -> bool:
+        if asked.numeric:
+            left, right = self._number(at, step, asked.left), self._number(at, step, asked.right)
+            return asked.holds(left.value, right.value)
+        one, two = self._text(at, step, asked.left), self._text(at, step, asked.right)
+        if asked.left.is_name or asked.right.is_name:
+            self._doubt(at, step, asked, one, two)
+        return asked.holds(one, two)
+
+    def _doubt(self, at: int, step: Directive, asked: Condition, one: str, two: str) -> None:
+        """What is odd about two texts that are compared; of two that stand in the line the line's rules speak."""
+        span = Span(asked.left.span.start, asked.right.span.end)
+        if one != two and one.casefold() == two.casefold():
+            message = f"{_short(one)} and {_short(two)} are different texts here: upper and lower case count"
+            self._meet("alpha-case", at, step.row, span, message)
+        if number(one) is not None and number(two) is not None:
+            message = f"{_short(one)} and {_short(two)} are compared as text here, character by character; write `n` to compare numbers"
+            self._meet("alpha-number", at, step.row, span, message)
+
+    def _enter(self, at: int, step: Directive) -> int:
+        """Begin a loop, or pass over it if it has no pass."""
+        totals = [(counter, *self._sizes(at, step, counter)) for counter in step.counters]
+        count, counter, total, size = 0, *totals[0]
+        for each, length, greatest in totals:
+            found = passes(length.value, greatest.value)
+            if found > count:
+                count, counter, total, size = found, each, length, greatest
+        if not count:
+            self._meet(
+                "loop-zero",
+                at,
+                step.row,
+                counter.total.span,
+                f"{_here(total)}, so the loop has no pass and its lines are left out",
+            )
+            return self._gathered.partners[at] + 1
+        if count > PASSES:
+            said = f"{count:,}" if count < _VAST else "far more"
+            message = f"{_here(total)}; in steps of at most {_short(size.text)} that is {said} passes, and a loop may make {PASSES:,}"
+            self._halt("limit", at, step.row, counter.total.span, message)
+        outer = self._frame(at)
+        counters = {
+            counter.total.said: Counted(length.value, count, self._decimals, counter.relative)
+            for counter, length, _ in totals
+        }
+        loop = Loop(at, outer, count, counters)
+        loop.saved = {name: self._values[name] for name in counters}
+        self._loops.append(loop)
+        self._pass(loop)
+        return at + 1
+
+    def _sizes(self, at: int, step: Directive, counter: Counter) -> tuple[Quantity, Quantity]:
+        """The total of a loop variable and its maxStep."""
+        total, size = self._number(at, step, counter.total), self._number(at, step, counter.step)
+        if not size.value:
+            message = f"{_here(size)}; a step of 0 never reaches the total, and the number of passes would be a division by zero"
+            self._halt("loop-step-zero", at, step.row, counter.step.span, message)
+        if size.value < 0 and counter.step.is_name:
+            message = f"{_here(size)}; the sign is ignored, the direction is that of `|{counter.total.said}|`"
+            self._meet("loop-step-negative", at, step.row, counter.step.span, message)
+        return total, size
+
+    def _again(self, end: int) -> int:
+        """At the end of a loop: its next pass, or what follows it."""
+        loop = self._loops[-1]
+        if loop.number < loop.count:
+            self._pass(loop)
+            return loop.head + 1
+        self._loops.pop()
+        self._values.update(loop.saved)
+        self._frames = self._loops[-1].frames if self._loops else self._outside
+        return end + 1
+
+    def _pass(self, loop: Loop) -> None:
+        self._passes += 1
+        step = self._gathered.steps[loop.head]
+        assert isinstance(step, Directive)
+        if self._passes > ALL_PASSES:
+            message = f"all loops together make more than {ALL_PASSES:,} passes, last in {self._where()}"
+            self._halt("limit", loop.head, step.row, step.bracket.span, message)
+        loop.number += 1
+        for name, counted in loop.counters.items():
+            self._values[name] = counted.printed(loop.number)
+        loop.frame = Frame(loop.outer, step.text.file, step.row, Entered.LOOP, loop.number)
+        loop.frames = self._frames = {}
+
+    def _frame(self, at: int) -> Frame | None:
+        """The innermost loop pass or snippet around a step, whichever was entered last."""
+        return self._around(self._gathered.places[at])
+
+    def _around(self, place: Place) -> Frame | None:
+        loop = self._loops[-1] if self._loops else None
+        if place.outer is None or (loop is not None and loop.head >= place.before):
+            return loop.frame if loop is not None else None
+        if place not in self._frames:
+            self._frames[place] = Frame(self._around(place.outer), place.outer.file, place.row, Entered.FILE, 0)
+        return self._frames[place]
+
+    def _text(self, at: int, step: Directive, item: Item) -> str:
+        """What an item stands for, without outer blanks."""
+        if not item.is_name:
+            return item.said
+        value = self._values.get(item.said)
+        if value is None:
+            self._undefined(at, step.row, item.said, item.span)
+        return value.strip(" \t")
+
+    def _number(self, at: int, step: Directive, item: Item) -> Quantity:
+        text = self._text(at, step, item)
+        value = number(text) if item.number is None else item.number
+        if value is None:
+            message = (
+                f"`|{item.said}|` is {_short(text)} here, which is no number, so there is nothing to calculate with"
+            )
+            self._halt("not-numeric", at, step.row, item.span, message)
+        return Quantity(item, text, value)
+
+    def _undefined(self, at: int, row: int, name: str, span: Span) -> NoReturn:
+        alike = [each for each in self._values if each.casefold() == name.casefold()]
+        hint = f"; did you mean `{alike[0]}`?" if len(alike) == 1 else suggestion(name, self._values)
+        message = f"`|{name}|` has no value, and is not taken for empty text; give it one with `-D {name}=...`{hint}"
+        self._halt("undefined-variable", at, row, span, message)
+
+    def _fault(self, kind: str, at: int, row: int, span: Span, message: str) -> Fault:
+        file = self._gathered.steps[at].text.file
+        return Fault(kind, file, row, span, message, self._frame(at), self._unsure)
+
+    def _meet(self, kind: str, at: int, row: int, span: Span, message: str) -> None:
+        self._job.meet(self._fault(kind, at, row, span, message))
+
+    def _halt(self, kind: str, at: int, row: int, span: Span, message: str) -> NoReturn:
+        raise Halt(self._fault(kind, at, row, span, message))
+
+
+def _here(quantity: Quantity) -> str:
+    """A value in words."""
+    text = _short(quantity.text)
+    return f"`|{quantity.item.said}|` is {text} here" if quantity.item.is_name else f"the value is {text}"
+
+
+def _short(text: str) -> str:
+    """A value as it is quoted."""
+    if not text:
+        return "empty"
+    return f"`{text}`" if len(text) <= _LONG else f"`{text[:_LONG]}...`"
