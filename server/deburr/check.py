@@ -20,9 +20,18 @@ def check(
     run: Callable[[Analysis], Iterable[Finding]] | None = None,
 ) -> list[Finding]:
     """All findings in order; with ``run`` (`deburr.ran`) also those that a run of the program meets."""
-    given = dialect.given(ruleset.settings, (host or NoFiles()).read)
-    document = Document.parse(source.text, dialect, given=given)
+    document = opened(source, dialect, ruleset, host)
     findings = Analysis(document, ruleset, file, host, tuple(source.notices()), run).findings()
+    return in_file(findings, file, source)
+
+
+def opened(source: Source, dialect: Dialect, ruleset: RuleSet, host: Host | None = None) -> Document:
+    """The program as a document that knows what its settings bring from other files."""
+    return Document.parse(source.text, dialect, given=dialect.given(ruleset.settings, (host or NoFiles()).read))
+
+
+def in_file(findings: list[Finding], file: str, source: Source) -> list[Finding]:
+    """Findings in places of the text as findings in places of the file."""
     return [_in_file(finding, file, source.shift) for finding in findings] if source.shift else findings
 
 

@@ -82,6 +82,12 @@ class Config:
         setting = next(each for each in CHECK if each.name == "fail-on")
         return Severity[self.get("check", setting).value.upper()]
 
+    @property
+    def runs(self) -> bool:
+        """Whether what a bounded run meets is reported, too."""
+        setting = next(each for each in CHECK if each.name == "run")
+        return bool(self.get("check", setting).value)
+
     def dialect_of(self, file: str) -> tuple[str, Glob] | None:
         """What `[files]` says of a file, with the pattern that says it: the first that matches."""
         return next(((name, glob) for glob, name in self.files if glob.matches(file)), None)

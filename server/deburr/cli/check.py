@@ -4,12 +4,13 @@ import argparse
 import os
 import sys
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple, TextIO
+from typing import Any, NamedTuple, TextIO
 
 from deburr import paths
 from deburr.cli import reporters
 from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.files import STDIN, Target, targets
+from deburr.cli.inputs import add_inputs, inputs_of, settings
 from deburr.cli.result import Result
 from deburr.cli.run import Checker, Options, Outcome, outcomes
 from deburr.cli.style import Style, style_for
@@ -66,9 +67,15 @@ def _add_output(found: argparse.ArgumentParser) -> None:
         help=f"{', '.join(reporters.names())} (default: full); repeatable, each with a file of its own",
     )
     found.add_argument("--output-file", metavar="FILE", help="where the report goes that has no file of its own")
-    found.add_argument(
-        "--no-run", action="store_true", help="static analysis only; that is all there is today, so nothing changes"
+    runs = found.add_mutually_exclusive_group()
+    runs.add_argument(
+        "--run",
+        action="store_true",
+        default=None,
+        help="also report what a bounded run meets (default; `run` in [check])",
     )
+    runs.add_argument("--no-run", action="store_false", dest="run", help="static analysis only")
+    add_inputs(found)
     found.add_argument("--stdin-filename", metavar="PATH", help="the name that standard input goes by")
     found.add_argument(
         "--statistics", action="store_true", help="count the findings of each rule instead of showing them"
@@ -88,7 +95,7 @@ def _add_rules(found: argparse.ArgumentParser, name: str, default: list[str] | N
 def run(arguments: argparse.Namespace) -> int:
     """Check and report."""
     try:
-        outputs = _outputs(arguments)
+        outputs, inputs = _outputs(arguments), inputs_of(arguments)
         configs = Configs(_top(arguments), arguments.config)
         given = arguments.paths or ([STDIN] if arguments.stdin_filename else ["."])
         found = targets(given, configs)
@@ -97,7 +104,7 @@ def run(arguments: argparse.Namespace) -> int:
             configs.of(target.file if target.file != STDIN else paths.absolute(arguments.stdin_filename or STDIN))
     except ConfigError as error:
         return unable(error.messages)
-    options = Options(arguments.dialect, arguments.stdin_filename, any(each.form == "full" for each in outputs))
+    options = Options(arguments.dialect, arguments.stdin_filename, any(each.form == "full" for each in outputs), inputs)
     result = Result(tuple(outcomes(Checker(configs, options), found, _processes(arguments.jobs, found))))
     if not found:
         complain("no programs found under the given paths", "warning")
@@ -114,13 +121,17 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _top(arguments: argparse.Namespace) -> Config:
     """What the command line lays over all configuration."""
-    values = {} if arguments.fail_on is None else {"check.fail-on": arguments.fail_on}
+    values: dict[str, Any] = dict(settings(arguments))
+    if arguments.fail_on is not None:
+        values["check.fail-on"] = arguments.fail_on
+    if arguments.run is not None:
+        values["check.run"] = arguments.run
     select = None if arguments.select is None else tuple(arguments.select)
     selection = Selection(select, tuple(arguments.extend_select), tuple(arguments.ignore))
-    return from_command_line({**values, **_profile(arguments.profile)}, selection)
+    return from_command_line({**values, **profile(arguments.profile)}, selection)
 
 
-def _profile(name: str | None) -> dict[str, str]:
+def profile(name: str | None) -> dict[str, str]:
     """The setting `profile` in each dialect that knows the one that was asked for."""
     if name is None:
         return {}

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from deburr import paths, source
+from deburr.analysis import Analysis
 from deburr.check import check
 from deburr.cli.disk import Disk
 from deburr.cli.files import STDIN, Target
@@ -13,6 +14,7 @@ from deburr.configfile import Configs
 from deburr.detect import Answer, Hints, detect
 from deburr.finding import Finding
 from deburr.host import Host, NoFiles
+from deburr.inputs import Inputs
 from deburr.source import NotAProgram, Source
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.text import split_lines
@@ -40,6 +42,7 @@ class Options(NamedTuple):
     dialect: str | None = None
     stdin_name: str | None = None
     texts: bool = False
+    inputs: Inputs = Inputs()
 
 
 class Checker:
@@ -76,10 +79,17 @@ class Checker:
             return Outcome(file, reason=answer.reason, failure=way_out if named else "")
         dialect = by_name(answer.dialect)
         host: Host = self._disk if name else NoFiles()
-        findings = check(found, dialect, self._rulesets.of(dialect, config, name or file), file, host)
-        texts = tuple(dict(_texts(findings, file, found, host)).items()) if self._options.texts and findings else ()
+        ruleset = self._rulesets.of(dialect, config, name or file)
+        findings = check(found, dialect, ruleset, file, host, self._ran if config.runs else None)
+        shown = texts(findings, file, found, host) if self._options.texts and findings else ()
         fails = any(finding.severity >= config.fail_on for finding in findings)
-        return Outcome(file, dialect.name, answer.reason, tuple(findings), fails, "", config.origin, texts)
+        return Outcome(file, dialect.name, answer.reason, tuple(findings), fails, "", config.origin, shown)
+
+    def _ran(self, analysis: Analysis) -> list[Finding]:
+        # Only programs without an error pay for the interpreters.
+        from deburr.ran import ran
+
+        return ran(analysis, self._options.inputs)
 
 
 def hints(asked: str | None, file: str, config: Config) -> Hints:
@@ -115,6 +125,11 @@ def _start(checker: Checker) -> None:
 
 def _outcome(target: Target) -> Outcome:
     return _worker[0].outcome(target)
+
+
+def texts(findings: Iterable[Finding], file: str, found: Source, host: Host) -> tuple[tuple[tuple[str, int], str], ...]:
+    """The lines that a report of findings shows."""
+    return tuple(dict(_texts(findings, file, found, host)).items())
 
 
 def _texts(findings: Iterable[Finding], file: str, found: Source, host: Host) -> Iterator[tuple[tuple[str, int], str]]:

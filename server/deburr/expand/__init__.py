@@ -7,9 +7,10 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from deburr.expand.job import Budget, Inputs, Job, Program
+from deburr.expand.job import Budget, Job, Program
 from deburr.expand.source_map import SourceMap
 from deburr.fault import Fault, Halt
+from deburr.inputs import Inputs
 
 if TYPE_CHECKING:
     from types import ModuleType
@@ -51,6 +52,7 @@ def drive(job: Job) -> Iterator[None]:
     try:
         yield from module.run(job)
     except Halt as halt:
+        job.halted = True
         job.meet(halt.fault)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from deburr.fault import Fault, Frame, Halt
+from deburr.inputs import Inputs
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
@@ -32,23 +33,6 @@ class Budget(NamedTuple):
 
     steps: int = 1_000_000
     blocks: int = 1_000_000
-
-
-class Inputs(NamedTuple):
-    """What the operator and the machine would give.
-
-    ``define``: values by the language's own names. ``block_delete``: the operator's switch; None: not known.
-    ``simulate``: values that only a machine has are answered as the stand-alone interpreter does.
-    ``decimals``: at most so many in computed values; None: as the dialect has it. ``partial``: what was
-    produced before a fault is wanted.
-    """
-
-    define: Mapping[str, str] = {}
-    block_delete: bool | None = None
-    simulate: bool = False
-    keep_n: bool = False
-    decimals: int | None = None
-    partial: bool = False
 
 
 class Sink(Protocol):
@@ -82,6 +66,8 @@ class Job:
         self.steps = 0
         self.cut = False
         """Whether the budget ended the run."""
+        self.halted = False
+        """Whether the last fault ended the run."""
         self._line = sink.line
         self._map = source_map
         self._met: set[tuple[str, str, int, Span]] = set()

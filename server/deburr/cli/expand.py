@@ -1,0 +1,112 @@
+"""`deburr expand`: the flat program that a control would execute."""
+
+import argparse
+import sys
+from collections.abc import Mapping
+from tempfile import TemporaryFile
+from typing import Any
+
+from deburr.cli.check import profile
+from deburr.cli.common import add_config, add_dialect, complain, unable
+from deburr.cli.flat import Flat, Terms, flat_of, opened_programs
+from deburr.cli.inputs import add_inputs, inputs_of, known, settings
+from deburr.config import Config, ConfigError, from_command_line
+from deburr.configfile import Configs
+from deburr.expand import Budget
+from deburr.expand.job import EXACT
+from deburr.selection import Selection
+
+EOLS = {"lf": "\n", "crlf": "\r\n", "source": ""}
+
+
+def parser() -> argparse.ArgumentParser:
+    """The command's options."""
+    found = argparse.ArgumentParser(
+        prog="deburr expand",
+        description="Print the flat program that a control would execute. Several files are joined in order.",
+        allow_abbrev=False,
+    )
+    found.add_argument("files", nargs="+", metavar="FILE", help="a program, or - for standard input")
+    found.add_argument("-o", "--output", metavar="FILE", help="where the flat program goes (default: standard output)")
+    add_dialect(found)
+    found.add_argument("--profile", metavar="P", help="whose manual decides, in dialects that have profiles")
+    add_config(found)
+    add_inputs(found)
+    found.add_argument("--source-map", metavar="FILE", help="write where each flat line comes from (Source Map v3)")
+    found.add_argument("--partial", action="store_true", help="write what was produced before a fault, too")
+    found.add_argument("--keep-n", action="store_true", help="keep line numbers")
+    found.add_argument("--decimals", type=_decimals, metavar="N", help="at most so many in computed values, or `exact`")
+    found.add_argument("--eol", choices=tuple(EOLS), default="source", help="line ends (default: as in the source)")
+    limits = Budget()
+    found.add_argument(
+        "--max-steps", type=_count, default=limits.steps, metavar="N", help="executed lines; 0: no limit"
+    )
+    found.add_argument("--max-blocks", type=_count, default=limits.blocks, metavar="N", help="flat lines; 0: no limit")
+    found.add_argument("--diff", metavar="OTHER", help="compare the flat programs of both; exit 1 if they differ")
+    found.add_argument("-q", "--quiet", action="store_true", help="no warnings")
+    return found
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Expand and write."""
+    try:
+        terms = _terms(arguments)
+        configs = Configs(_top(arguments), arguments.config)
+        programs = opened_programs(arguments.files, arguments.dialect, configs)
+        others = opened_programs([arguments.diff], arguments.dialect, configs) if arguments.diff else ()
+        known(arguments, programs[0].dialect)
+    except ConfigError as error:
+        return unable(error.messages)
+    try:
+        with TemporaryFile() as lines, TemporaryFile() as other_lines:
+            flat = flat_of(programs, terms, lines)
+            if others:
+                return _compared(flat, flat_of(others, terms, other_lines))
+            return flat.written(arguments.output, arguments.source_map)
+    except OSError as error:
+        if isinstance(error, BrokenPipeError):
+            raise
+        return unable([f"{error.filename or 'the flat program'}: {error.strerror}"])
+
+
+def _top(arguments: argparse.Namespace) -> Config:
+    values: Mapping[str, Any] = {**dict(settings(arguments)), **profile(arguments.profile)}
+    return from_command_line(values, Selection(None, (), ()))
+
+
+def _terms(arguments: argparse.Namespace) -> Terms:
+    inputs = inputs_of(arguments)._replace(
+        keep_n=arguments.keep_n, decimals=arguments.decimals, partial=arguments.partial
+    )
+    budget = Budget(arguments.max_steps, arguments.max_blocks)
+    mapped = bool(arguments.source_map or arguments.diff)
+    return Terms(inputs, budget, EOLS[arguments.eol], arguments.quiet, mapped)
+
+
+def _compared(one: Flat, other: Flat) -> int:
+    from deburr.cli.difference import difference
+
+    for flat in (one, other):
+        if not flat.whole:
+            return 1
+    changed = False
+    for line in difference(one, other):
+        sys.stdout.write(f"{line}\n")
+        changed = True
+    if not changed:
+        complain("the flat programs are the same", "")
+    return int(changed)
+
+
+def _decimals(said: str) -> int:
+    if said == "exact":
+        return EXACT
+    if not said.isascii() or not said.isdigit() or int(said) > 15:
+        raise argparse.ArgumentTypeError(f"`{said}` is neither a number from 0 to 15 nor `exact`")
+    return int(said)
+
+
+def _count(said: str) -> int:
+    if not said.isascii() or not said.isdigit():
+        raise argparse.ArgumentTypeError(f"`{said}` is no number of lines")
+    return int(said)

@@ -1,0 +1,233 @@
+"""A program from its file to its flat form: opened, checked, run, written. All or nothing, unless a part is wanted."""
+
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from time import monotonic
+from typing import IO, NamedTuple
+
+from deburr import paths, source
+from deburr.analysis import Analysis
+from deburr.check import in_file, opened
+from deburr.cli.common import complain
+from deburr.cli.disk import Disk
+from deburr.cli.files import STDIN
+from deburr.cli.result import Result
+from deburr.cli.run import Outcome, hints, texts
+from deburr.cli.style import style_for
+from deburr.config import ConfigError, RuleSets
+from deburr.configfile import Configs
+from deburr.detect import detect
+from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive
+from deburr.finding import Finding, Severity
+from deburr.host import Host, NoFiles
+from deburr.ran import worded
+from deburr.ruleset import RuleSet
+from deburr.source import NotAProgram, Source
+from deburr_grammar.dialect import Dialect
+from deburr_grammar.dialects import NAMES, by_name
+from deburr_grammar.document import Document
+
+_PATIENCE = 2.0
+"""Seconds after which a run that goes on says so."""
+
+
+class Opened(NamedTuple):
+    """A program that was read: how, as what, and under which rules."""
+
+    file: str
+    source: Source
+    dialect: Dialect
+    ruleset: RuleSet
+    document: Document
+    host: Host
+
+
+class Terms(NamedTuple):
+    """How programs are run and written. ``eol`` "": as in the source."""
+
+    inputs: Inputs
+    budget: Budget
+    eol: str
+    quiet: bool
+    mapped: bool
+
+
+def opened_programs(files: Sequence[str], dialect: str | None, configs: Configs) -> tuple[Opened, ...]:
+    """The programs of some files, all of one dialect."""
+    rulesets, disk = RuleSets(), Disk()
+    found = tuple(_opened(file, dialect, configs, rulesets, disk) for file in files)
+    names = {each.dialect.name for each in found}
+    if len(names) > 1:
+        raise ConfigError(f"programs of several dialects cannot be joined: {', '.join(sorted(names))}")
+    return found
+
+
+def _opened(file: str, asked: str | None, configs: Configs, rulesets: RuleSets, disk: Disk) -> Opened:
+    name = "" if file == STDIN else paths.absolute(file)
+    try:
+        data = sys.stdin.buffer.read() if file == STDIN else paths.data(name)
+    except OSError as error:
+        raise ConfigError(f"{file}: {error.strerror or 'cannot be read'}") from None
+    read = source.read(data)
+    if isinstance(read, NotAProgram):
+        raise ConfigError(f"{file}: {read.reason}")
+    config = configs.of(name) if name else configs.in_folder(paths.working_folder())
+    answer = detect(name, read.text, hints(asked, name, config))
+    if answer.dialect is None:
+        raise ConfigError(f"{file}: {answer.reason}; say which with --dialect ({', '.join(NAMES)})")
+    dialect = by_name(answer.dialect)
+    host: Host = disk if name else NoFiles()
+    ruleset = rulesets.of(dialect, config, name or file)
+    return Opened(name or file, read, dialect, ruleset, opened(read, dialect, ruleset, host), host)
+
+
+class Flat:
+    """A flat program. ``whole``: it was produced without a fault; otherwise it is not to be used."""
+
+    def __init__(self, programs: Sequence[Opened], terms: Terms, lines: IO[bytes], eol: str) -> None:
+        self.programs = tuple(programs)
+        self.terms = terms
+        self.file = lines
+        self.whole = True
+        self.source_map = SourceMap() if terms.mapped else None
+        self._eol = eol.encode()
+        self._encoding = programs[-1].source.encoding
+        self._bom = programs[0].source.bom
+        self._ends = programs[-1].source.text.endswith(("\n", "\r"))
+        self._count = 0
+
+    def line(self, text: str) -> None:
+        """One more line."""
+        if self._count:
+            self.file.write(self._eol)
+        self._count += 1
+        self.file.write(text.encode(self._encoding, "replace"))
+
+    def lines(self) -> list[str]:
+        """All lines, to be compared."""
+        self.file.seek(0)
+        return self.file.read().decode(self._encoding).split(self._eol.decode()) if self._count else []
+
+    def written(self, output: str | None, source_map: str | None) -> int:
+        """Put the flat program where it is wanted; the exit code."""
+        if not self.whole and not self.terms.inputs.partial:
+            return 1
+        if self._count and self._ends:
+            self.file.write(self._eol)
+        if source_map is not None:
+            self._write_map(output, source_map)
+        if output is None:
+            self._copy(sys.stdout.buffer)
+        else:
+            with _replacing(output) as out:
+                self._copy(out)
+        return 0 if self.whole else 1
+
+    def _copy(self, out: IO[bytes]) -> None:
+        from shutil import copyfileobj
+
+        if self._bom:
+            out.write(b"\xef\xbb\xbf")
+        self.file.seek(0)
+        copyfileobj(self.file, out)
+        out.flush()
+
+    def _write_map(self, output: str | None, path: str) -> None:
+        import json
+
+        assert self.source_map is not None
+        folder = paths.parent(paths.absolute(path))
+        document = self.source_map.document(
+            os.path.relpath(output, folder).replace(os.sep, "/") if output else "",
+            lambda file: os.path.relpath(file, folder).replace(os.sep, "/"),
+        )
+        with _replacing(path) as out:
+            out.write(json.dumps(document, separators=(",", ":")).encode())
+
+
+def flat_of(programs: Sequence[Opened], terms: Terms, lines: IO[bytes]) -> Flat:
+    """Check the programs, run them into a file, and say on stderr what is wrong."""
+    flat = Flat(programs, terms, lines, terms.eol or _eol(programs[0].source.text))
+    found = [finding for program in programs for finding in _checked(program)]
+    if any(finding.severity is Severity.ERROR for finding in found):
+        flat.whole = False
+    else:
+        found += _run(flat)
+    shown = [finding for finding in found if finding.severity is Severity.ERROR or not terms.quiet]
+    _say([finding for finding in shown if finding.severity > Severity.INFO], programs)
+    return flat
+
+
+def _checked(program: Opened) -> list[Finding]:
+    document, ruleset = program.document, program.ruleset
+    analysis = Analysis(document, ruleset, program.file, program.host, tuple(program.source.notices()))
+    return in_file(analysis.findings(), program.file, program.source)
+
+
+def _run(flat: Flat) -> Iterator[Finding]:
+    """What the run met."""
+    first = flat.programs[0]
+    programs = [Program(each.file, each.document) for each in flat.programs]
+    job = Job(programs, first.ruleset, first.host, flat, flat.terms.inputs, flat.terms.budget, flat.source_map)
+    started = said = monotonic()
+    for _ in drive(job):
+        now = monotonic()
+        if now - said > _PATIENCE and sys.stderr.isatty():
+            said = now
+            print(f"\rdeburr: {job.steps:,} lines run, {job.emitted:,} written", end="", file=sys.stderr, flush=True)
+    if said != started:
+        print(file=sys.stderr)
+    flat.whole = not job.halted
+    documents = {each.file: each for each in flat.programs}
+    for fault in job.faults:
+        program = documents.get(fault.file)
+        lines = program.source.lines if program else (first.host.read(fault.file) or "").split("\n")
+        finding = worded(fault, first.ruleset, lines[fault.line] if fault.line < len(lines) else "")
+        if fault is job.faults[-1] and job.halted:
+            finding = finding._replace(severity=Severity.ERROR)
+        flat.whole = flat.whole and finding.severity < Severity.ERROR
+        yield finding
+
+
+def _say(found: list[Finding], programs: Sequence[Opened]) -> None:
+    from deburr.cli.reporters import full
+
+    outcomes = []
+    for program in programs:
+        own = tuple(finding for finding in found if finding.place.file == program.file)
+        if program is programs[0]:
+            files = {each.file for each in programs}
+            own += tuple(finding for finding in found if finding.place.file not in files)
+        lines = texts(own, program.file, program.source, program.host)
+        outcomes.append(Outcome(program.file, program.dialect.name, "", own, bool(own), "", "", lines))
+    full.report(Result(tuple(outcomes)), sys.stderr, style_for(sys.stderr))
+    errors = sum(finding.severity is Severity.ERROR for finding in found)
+    if errors:
+        complain(f"nothing was written: {errors} error{'s' if errors > 1 else ''}", "")
+
+
+def _eol(text: str) -> str:
+    """The line end of a text: its first one."""
+    at = min((place for place in (text.find("\n"), text.find("\r")) if place >= 0), default=-1)
+    return "\n" if at < 0 else "\r\n" if text.startswith("\r\n", at) else text[at]
+
+
+class _replacing:
+    """A file that appears under its name when all of it is written, or not at all."""
+
+    def __init__(self, path: str) -> None:
+        self._path = Path(path)
+        self._part = self._path.with_name(f".{self._path.name}.{os.getpid()}.part")
+
+    def __enter__(self) -> IO[bytes]:
+        self._out = self._part.open("wb")
+        return self._out
+
+    def __exit__(self, kind: object, *_: object) -> None:
+        self._out.close()
+        if kind is None:
+            os.replace(self._part, self._path)  # noqa: PTH105
+        else:
+            self._part.unlink(missing_ok=True)

@@ -1,0 +1,75 @@
+"""What a run is given on the command line: values, files, switches. Shared by the commands that run programs."""
+
+import argparse
+from collections.abc import Iterator, Sequence
+
+from deburr import paths
+from deburr.config import ConfigError
+from deburr.inputs import Inputs
+from deburr_grammar.dialect import Dialect
+from deburr_grammar.dialects import NAMES, by_name
+
+_FILES = {
+    "--variables": "variables",
+    "--input": "input",
+    "--parameters": "parameters",
+    "--tool-table": "tool-table",
+}
+"""Options that name a file of a dialect's setting."""
+
+
+def add_inputs(found: argparse.ArgumentParser) -> None:
+    """What the operator and the machine would give."""
+    found.add_argument("-D", "--define", action="append", default=[], metavar="NAME=VALUE", help="a value by its name")
+    found.add_argument("--variables", metavar="FILE", help="values: name=value lines, or JSON")
+    found.add_argument("--input", metavar="FILE", help="cgt: CL text (.cl) or events (.jsonl)")
+    found.add_argument("--parameters", metavar="FILE", help="rs274: stored parameters (.var)")
+    found.add_argument("--tool-table", metavar="FILE", help="rs274: the tool table")
+    found.add_argument("--block-delete", choices=("on", "off"), help="the operator's switch for lines with `/`")
+    found.add_argument(
+        "--machine-values",
+        choices=("refuse", "simulate"),
+        default="refuse",
+        help="values that only a machine has: refuse them, or answer as the stand-alone interpreter does",
+    )
+
+
+def inputs_of(arguments: argparse.Namespace) -> Inputs:
+    """What the operator and the machine would give."""
+    return Inputs(
+        define=defines(arguments.define),
+        block_delete=None if arguments.block_delete is None else arguments.block_delete == "on",
+        simulate=arguments.machine_values == "simulate",
+    )
+
+
+def defines(said: Sequence[str]) -> dict[str, str]:
+    """`-D NAME=VALUE` as names and values."""
+    found = {}
+    for each in said:
+        name, sign, value = each.partition("=")
+        if not sign or not name.strip():
+            raise ConfigError(f"-D {each}: write NAME=VALUE")
+        found[name.strip()] = value.strip()
+    return found
+
+
+def settings(arguments: argparse.Namespace) -> Iterator[tuple[str, str]]:
+    """The files that the command line names, for each dialect that has such a setting."""
+    for option, name in _FILES.items():
+        path = getattr(arguments, name.replace("-", "_"))
+        if path is None:
+            continue
+        if not paths.is_file(path):
+            raise ConfigError(f"{option}: {path}: no such file")
+        for dialect in NAMES:
+            if any(setting.name == name for setting in by_name(dialect).settings):
+                yield f"{dialect}.{name}", paths.absolute(path)
+
+
+def known(arguments: argparse.Namespace, dialect: Dialect) -> None:
+    """Say which option means nothing to the dialect, instead of passing over it."""
+    names = {setting.name for setting in dialect.settings}
+    for option, name in _FILES.items():
+        if getattr(arguments, name.replace("-", "_")) is not None and name not in names:
+            raise ConfigError(f"{option}: {dialect.name} programs have no such input")
