@@ -28,6 +28,8 @@ from deburr_grammar.dialect import Dialect, Reading
 from deburr_grammar.line import LineNode, Shape
 
 _PLANS = 100_000
+DEFINED = "defined"
+"""The setting that holds the names of the values that a run is given: what is given is set."""
 
 
 class RuleSet:
@@ -41,7 +43,8 @@ class RuleSet:
         severities: Mapping[str, Severity] | None = None,
     ) -> None:
         self.dialect = dialect
-        self.settings = {setting.name: setting.default for setting in dialect.settings} | dict(settings or {})
+        defaults = {setting.name: setting.default for setting in dialect.settings}
+        self.settings: Mapping[str, Any] = {DEFINED: (), **defaults, **(settings or {})}
         self._all = rules_of(dialect.name)
         self.rules = tuple(rule for rule in self._all if selected(rule))
         self._severities = dict(severities or {})

@@ -1,0 +1,195 @@
+"""`deburr expand`: what is written where, in which bytes, and what is refused."""
+
+import json
+
+import pytest
+import sourcemap
+
+LOOP = "G21 G90\n#<n> = 0\no1 while [#<n> LT 3]\n  G0 X[#<n> * 10]\n  #<n> = [#<n> + 1]\no1 endwhile\nM2\n"
+FLAT = "G21 G90\n  G0 X0\n  G0 X10\n  G0 X20\nM2\n"
+BAD = "G0 X1\n#1 = [2 - 2]\nG0 X[5 / #1]\nM2\n"
+
+
+def test_the_flat_program_goes_to_standard_output(shell):
+    shell.write("loop.ngc", LOOP)
+    assert shell.run("expand", "loop.ngc") == (0, FLAT, "")
+
+
+def test_the_flat_program_goes_to_a_file(shell):
+    shell.write("loop.ngc", LOOP)
+    assert shell.run("expand", "loop.ngc", "-o", "flat.ngc") == (0, "", "")
+    assert (shell.folder / "flat.ngc").read_text() == FLAT
+    assert sorted(path.name for path in shell.folder.iterdir()) == ["flat.ngc", "loop.ngc"]
+
+
+def test_standard_input_is_a_program(shell):
+    assert shell.run("expand", "-", "--dialect", "rs274", stdin=LOOP.encode()) == (0, FLAT, "")
+
+
+@pytest.mark.parametrize(
+    "text", ["G0 X1\r\n(two)\r\n\r\nM2\r\n", "G0 X1\nM2", "  G0 X1  \n(\u00b5)\nM2\n", "%\nG0 X1\n%\n"]
+)
+def test_what_has_no_macros_comes_out_as_it_went_in(shell, text):
+    shell.write("plain.ngc", text)
+    assert shell.run("expand", "plain.ngc", "-o", "flat.ngc").code == 0
+    assert (shell.folder / "flat.ngc").read_bytes() == text.encode()
+
+
+def test_encoding_byte_order_mark_and_line_ends_are_kept(shell):
+    shell.write("umlaut.ngc", "(M\u00fcller)\r\n#1=2 G0 X#1\r\nM2\r\n".encode("cp1252"))
+    assert shell.run("expand", "umlaut.ngc", "-o", "flat.ngc").code == 0
+    assert (shell.folder / "flat.ngc").read_bytes() == "(M\u00fcller)\r\nG0 X0\r\nM2\r\n".encode("cp1252")
+    shell.write("marked.ngc", "\ufeffG0 X1\nM2\n")
+    assert shell.run("expand", "marked.ngc", "-o", "flat.ngc", "--eol", "crlf").code == 0
+    assert (shell.folder / "flat.ngc").read_bytes() == "\ufeffG0 X1\r\nM2\r\n".encode()
+
+
+def test_a_fault_of_the_run_leaves_nothing_behind(shell):
+    shell.write("bad.ngc", BAD)
+    shell.write("flat.ngc", "as it was\n")
+    ran = shell.run("expand", "bad.ngc", "-o", "flat.ngc", "--source-map", "flat.map")
+    assert (ran.code, ran.out) == (1, "")
+    assert ran.err.startswith("error[rs274.divide-by-zero]: `5 / #1` is a division by zero")
+    assert "--> bad.ngc:3:10" in ran.err
+    assert (shell.folder / "flat.ngc").read_text() == "as it was\n"
+    assert not (shell.folder / "flat.map").exists()
+
+
+def test_a_part_is_written_if_it_is_wanted(shell):
+    shell.write("bad.ngc", BAD)
+    ran = shell.run("expand", "bad.ngc", "--partial")
+    assert (ran.code, ran.out) == (1, "G0 X1\n")
+
+
+def test_a_program_that_is_wrong_as_it_stands_is_not_run(shell):
+    shell.write("wrong.ngc", "G0 X1\no1 if [1]\nM2\n")
+    ran = shell.run("expand", "wrong.ngc", "--partial")
+    assert (ran.code, ran.out) == (1, "")
+    assert "rs274.o-unclosed" in ran.err
+    assert ran.err.endswith("deburr: nothing was written: 1 error\n")
+
+
+def test_values_are_given_by_name(shell):
+    shell.write("p.ngc", "G0 X#5 Y#<_depth>\nM2\n")
+    assert shell.run("expand", "p.ngc", "-D", "5=1.25", "-D", "_depth=-3").out == "G0 X1.25 Y-3\nM2\n"
+    assert shell.run("expand", "p.ngc", "-D", "5").code == 2
+    ran = shell.run("expand", "p.ngc", "-D", "_depth=deep", "-D", "5=1")
+    assert ran.code == 1 and "the value is no number" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("switch", "code", "out"),
+    [((), 1, ""), (("--block-delete", "on"), 0, "G0 X5\nM2\n"), (("--block-delete", "off"), 0, "G0 X7\nM2\n")],
+)
+def test_block_delete_is_the_operators(shell, switch, code, out):
+    shell.write("p.ngc", "#1=5\n/#1=7\nG0 X#1\nM2\n")
+    ran = shell.run("expand", "p.ngc", *switch)
+    assert (ran.code, ran.out) == (code, out)
+    assert ("--block-delete" in ran.err) is bool(code)
+
+
+def test_budgets_name_the_loop(shell):
+    shell.write("p.ngc", "#1=0\no1 while [#1 LT 1]\nG0 X#1\no1 endwhile\nM2\n")
+    ran = shell.run("expand", "p.ngc", "--max-steps", "5000")
+    assert ran.code == 1
+    assert "rs274.limit" in ran.err
+    assert "5,000" in ran.err and "`o1 while [#1 LT 1]` of line 2" in ran.err and "`#1` = 0" in ran.err
+    assert "more than 10 lines" in shell.run("expand", "p.ngc", "--max-blocks", "10").err
+
+
+def test_decimals_and_line_numbers(shell):
+    shell.write("p.ngc", "N10 #1=[1/3]\nN20 G0 X#1\nN30 M2\n")
+    assert shell.run("expand", "p.ngc").out == "G0 X0.333333\nM2\n"
+    assert shell.run("expand", "p.ngc", "--decimals", "2", "--keep-n").out == "N20 G0 X0.33\nN30 M2\n"
+    assert shell.run("expand", "p.ngc", "--decimals", "exact").out == "G0 X0.3333333333333333\nM2\n"
+    assert shell.run("expand", "p.ngc", "--decimals", "all").code == 2
+
+
+def test_the_source_map_is_read_by_a_published_consumer(shell):
+    shell.write("loop.ngc", LOOP)
+    assert shell.run("expand", "loop.ngc", "-o", "out/../flat.ngc", "--source-map", "flat.map").code == 2
+    assert shell.run("expand", "loop.ngc", "-o", "flat.ngc", "--source-map", "flat.map").code == 0
+    text = (shell.folder / "flat.map").read_text()
+    index = sourcemap.loads(text)
+    rows = [index.lookup(line=line, column=0).src_line for line in range(5)]
+    assert rows == [0, 3, 3, 3, 6]
+    assert index.lookup(line=1, column=0).src == "loop.ngc"
+    document = json.loads(text)
+    assert (document["version"], document["file"], document["sources"], document["names"]) == (
+        3,
+        "flat.ngc",
+        ["loop.ngc"],
+        [],
+    )
+    assert document["x_deburr_frames"] == [[-1, 0, 2, "loop", 1], [-1, 0, 2, "loop", 2], [-1, 0, 2, "loop", 3]]
+    assert document["x_deburr_lines"] == [[0, 0, -1], [0, 3, 0], [0, 3, 1], [0, 3, 2], [0, 6, -1]]
+
+
+def test_two_programs_are_compared_flat(shell):
+    shell.write("loop.ngc", LOOP)
+    shell.write("other.ngc", LOOP.replace("* 10", "* 11"))
+    shell.write("plain.ngc", FLAT)
+    ran = shell.run("expand", "loop.ngc", "--diff", "other.ngc")
+    assert ran.code == 1
+    assert ran.out.splitlines() == [
+        "--- loop.ngc",
+        "+++ other.ngc",
+        "@@ -1,5 +1,5 @@ loop.ngc:4 <- loop.ngc:3 (loop 3) | other.ngc:4 <- other.ngc:3 (loop 3)",
+        " G21 G90",
+        "   G0 X0",
+        "-  G0 X10",
+        "-  G0 X20",
+        "+  G0 X11",
+        "+  G0 X22",
+        " M2",
+    ]
+    assert shell.run("expand", "loop.ngc", "--diff", "plain.ngc") == (0, "", "deburr: the flat programs are the same\n")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("gone.ngc",), "gone.ngc: No such file or directory"),
+        (("p.ngc", "-o", "no/such/folder/flat.ngc"), "No such file or directory"),
+        (("p.txt",), "--dialect"),
+        (("p.ngc", "--variables", "gone.vars"), "--variables: gone.vars: no such file"),
+        (("p.ngc", "--input", "p.txt"), "--input: rs274 programs have no such input"),
+        (("p.ngc", "q.mgc"), "several dialects"),
+    ],
+)
+def test_what_cannot_be_done_is_said(shell, arguments, said):
+    shell.write("p.ngc", "G0 X1\nM2\n")
+    shell.write("p.txt", "hello\n")
+    shell.write("q.mgc", "G0 X1\n")
+    ran = shell.run("expand", *arguments)
+    assert (ran.code, ran.out) == (2, "")
+    assert said in ran.err
+
+
+def test_check_reports_what_a_run_meets_with_its_stack(shell):
+    shell.write(
+        "p.ngc",
+        "o<a> sub\n  G0 X[1 / #1]\no<a> endsub\n#2 = 2\no1 while [#2 GE 0]\n  o<a> call [#2]\n  #2 = [#2 - 1]\no1 endwhile\nM2\n",
+    )
+    ran = shell.run("check", "p.ngc", "--output-format", "json")
+    (finding,) = json.loads(ran.out)
+    assert (ran.code, finding["rule"]) == (1, "rs274.divide-by-zero")
+    assert finding["location"] == {"row": 2, "column": 12}
+    said = [(each["location"]["row"], each["message"]) for each in finding["related"]]
+    assert said == [(6, "called here"), (5, "in pass 3 of the loop that starts here")]
+    assert shell.run("check", "p.ngc", "--no-run").code == 0
+    shell.write("deburr.toml", "[check]\nrun = false\n")
+    assert shell.run("check", "p.ngc").code == 0
+    assert shell.run("check", "p.ngc", "--run").code == 1
+
+
+def test_check_says_nothing_of_what_only_the_machine_knows(shell):
+    shell.write("p.ngc", "G0 X[1 / #5061]\n/#1=5\nM2\n")
+    assert shell.run("check", "p.ngc").code == 0
+    assert shell.run("expand", "p.ngc").code == 1
+
+
+def test_check_is_given_values_too(shell):
+    shell.write("p.ngc", "G0 X[1 / #<_n>]\nM2\n")
+    assert shell.run("check", "p.ngc", "-D", "_n=0").code == 1
+    assert shell.run("check", "p.ngc", "-D", "_n=1").code == 0
