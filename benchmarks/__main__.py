@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 TABLES = {
     "Opening, beside tree-sitter's full parse": rows.opening,
     "Throughput of `check`": rows.throughput,
+    "Expanding, beside LinuxCNC's interpreter": rows.expanding,
     "Typing, beside tree-sitter's incremental parse": rows.typing,
     "Memory": rows.memory,
     "Starting": rows.starting,
@@ -45,7 +46,17 @@ machines give other times; the ratios stay. Nothing in the tests asserts a time:
 - `python -m benchmarks --quick` takes seconds and says little; `--only typing` measures one table.
 """
 _QUICK = rows.Sizes(
-    cam=5_000, macro=2_000, mixed=2_000, odd=60_000, places=20, tree_sitter_places=2, starts=3, repeats=1, judged=False
+    cam=5_000,
+    macro=2_000,
+    mixed=2_000,
+    odd=60_000,
+    places=20,
+    tree_sitter_places=2,
+    passes=2_000,
+    flat=2_000,
+    starts=3,
+    repeats=1,
+    judged=False,
 )
 
 

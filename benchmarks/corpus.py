@@ -39,6 +39,11 @@ def mixed(lines: int = MIXED_LINES, share: float = 0.1) -> str:
     return _text(body(), _CAM_FRAME, lines)
 
 
+def loop(passes: int) -> str:
+    """Arithmetic and one motion, that many times."""
+    return f"#1=0\no1 while [#1 LT {passes}]\n  #1=[#1+1]\n  G1 X[#1*0.001] F100\no1 endwhile\nM2\n"
+
+
 def one_line(size: int) -> str:
     """A program on one line of that many characters."""
     return "G1 X1 " * (size // 6)

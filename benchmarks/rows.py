@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks import corpus, ours, theirs
+from benchmarks import corpus, ours, running, theirs
 from benchmarks.measure import isolated, processes
 
 MB = 1_000_000
@@ -23,6 +23,8 @@ class Sizes:
     odd: int = 30_000_000
     places: int = 200
     tree_sitter_places: int = 3
+    passes: int = 1_000_000
+    flat: int = 100_000
     starts: int = 11
     repeats: int = 3
     judged: bool = True
@@ -50,6 +52,8 @@ class Files:
     macro: str
     mixed: str
     hand: str
+    loop: str
+    flat: str
     odd: dict[str, str]
 
     @classmethod
@@ -68,6 +72,8 @@ class Files:
             _file(folder, "macro.ngc", corpus.macro(sizes.macro)),
             _file(folder, "mixed.ngc", corpus.mixed(sizes.mixed)),
             _file(folder, "hand.ngc", corpus.cam(40)),
+            _file(folder, "loop.ngc", corpus.loop(sizes.passes)),
+            _file(folder, "flat.ngc", corpus.cam(sizes.flat)),
             {what: _file(folder, f"odd{number}.ngc", text) for number, (what, text) in enumerate(odd.items())},
         )
 
@@ -150,6 +156,24 @@ def memory(files: Files, _sizes: Sizes) -> Iterator[Row]:
     for name, path in (("macros", files.macro), ("10 % unique expressions", files.mixed)):
         beyond, text = isolated(ours.memory, path), Path(path).stat().st_size
         yield Row(f"{name} ({_size(text)}): peak beyond the text", _size(beyond), "", f"{beyond / text:.1f} × the text")
+
+
+def expanding(files: Files, sizes: Sizes) -> Iterator[Row]:
+    """Running programs to flat code, beside the interpreter that runs them to canonical commands."""
+    for what, path, most in (
+        (f"a loop of {sizes.passes:,} passes, arithmetic and a motion", files.loop, 3),
+        (f"a flat program of {sizes.flat:,} lines", files.flat, 2),
+    ):
+        taken, run = isolated(running.expand, path), isolated(theirs.interpreter, path)
+        ratio = _ratio(run, taken) if run else ""
+        yield Row(
+            what, _time(taken), _time(run) if run else "", ratio, f"≤ {most} ×", taken <= most * run if run else None
+        )
+    plain, mapped = (isolated(running.memory, files.loop, each) for each in (False, True))
+    budget = 150 * MB
+    yield Row(f"memory, {sizes.passes:,} flat lines to a file", _size(plain), "", "", "≤ 150 MB", plain <= budget)
+    each = (mapped - plain) / sizes.passes
+    yield Row("the same with a map", _size(mapped), "", f"{each:.0f} bytes a line", "≤ 40 bytes", each <= 40)
 
 
 def odd(files: Files, sizes: Sizes) -> Iterator[Row]:
