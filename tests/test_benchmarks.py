@@ -22,7 +22,9 @@ QUICK = ["--quick", "--only"]
 def test_corpora_are_clean_and_of_the_length_asked_for(make) -> None:
     text = make(3_000)
     assert text.count("\n") == 3_000 and text == make(3_000)
-    assert Analysis(Document.parse(text, ours.DIALECT), RuleSet(ours.DIALECT)).findings() == []
+    found = Analysis(Document.parse(text, ours.DIALECT), RuleSet(ours.DIALECT)).findings()
+    # A library's subprograms are called by other files.
+    assert {finding.rule for finding in found} <= {"rs274.sub-uncalled"}
 
 
 def test_the_cam_program_is_numbered_motion_for_the_most_part() -> None:
