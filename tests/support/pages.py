@@ -5,12 +5,16 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from deburr import source
+from deburr.analysis import Analysis
 from deburr.check import check
+from deburr.expand import Program, expand
 from deburr.finding import Finding
 from deburr.page import CARETS, page_of
+from deburr.ran import ran, worded
 from deburr.rule import Rule
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialect import Dialect
+from deburr_grammar.document import Document
 
 _FILE = re.compile(r"^-- (.+) --$")
 _BYTES = str.maketrans({"␀": "\0", "␚": "\x1a", "␍": "\r"})
@@ -89,4 +93,16 @@ def checked(
     """What all default rules of the dialect, or those that are selected, say of an example."""
     program = source.read(example.program.encode())
     assert isinstance(program, source.Source)
-    return check(program, dialect, RuleSet(dialect, example.settings, selected), "", MemoryHost(example.files))
+    return check(program, dialect, RuleSet(dialect, example.settings, selected), "", MemoryHost(example.files), ran)
+
+
+def refused(
+    example: Example, dialect: Dialect, selected: Callable[[Rule], bool] = lambda rule: rule.default
+) -> list[Finding]:
+    """What an expansion says of an example: also what only an input that was not given could decide."""
+    ruleset, host = RuleSet(dialect, example.settings, selected), MemoryHost(example.files)
+    document = Document.parse(example.program, dialect)
+    found = Analysis(document, ruleset, "", host).findings()
+    expansion = expand([Program("", document)], ruleset, host)
+    met = (worded(fault, ruleset, document.line(fault.line)) for fault in expansion.faults)
+    return sorted([*found, *met], key=lambda finding: finding.order)
