@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
 from deburr.blocks import Scope, scopes
 from deburr.finding import Finding, Place, Related, Severity
 from deburr.host import Host, NoFiles
+from deburr.inputs import Inputs
 from deburr.rule import Note, Notice, Rule, Structure
 from deburr.ruleset import RuleSet
 from deburr.stateful import Said
@@ -30,7 +31,8 @@ class Analysis:
         file: str = "",
         host: Host | None = None,
         notices: Sequence[Notice] = (),
-        run: Callable[[Analysis], Iterable[Finding]] | None = None,
+        run: Callable[[Analysis], Iterable[Finding | None]] | None = None,
+        inputs: Inputs | None = None,
     ) -> None:
         self.document = document
         self.ruleset = ruleset
@@ -40,6 +42,8 @@ class Analysis:
         """Room for what several rules derive from the program and its files, each under a key of its own."""
         self.notices = tuple(notices)
         """What was met before the text was there to be read."""
+        self.inputs = inputs or Inputs()
+        """What the operator and the machine would give, as far as it is known."""
         self._run = run
 
     @property
@@ -59,16 +63,40 @@ class Analysis:
 
     def findings(self) -> list[Finding]:
         """All findings, in order."""
-        found = [self._finding(piece.line + local.line, local) for piece, local in self._locals()]
+        work = self.gathering()
+        while True:
+            try:
+                next(work)
+            except StopIteration as done:
+                found: list[Finding] = done.value
+                return found
+
+    def gathering(self) -> Generator[None, None, list[Finding]]:
+        """All findings, in order, as work that can be left at each of its steps."""
+        found: list[Finding] = []
+        for piece in self.document.pieces():
+            found += [self._finding(piece.line + local.line, local) for local in self._on_piece(piece)]
+            yield
+        yield from self._passed()
+        found += [self._finding(piece.line + said.line, said) for piece, said in self._modal()]
         for fault in self.document.faults if self.ruleset.on_structure else ():
             found += self.fault_findings(fault)
         for rule in self.ruleset.on_whole:
+            yield
             found += [self._finding(report.line, Said(0, rule, report)) for report in rule.check(self)]
         found += self._noticed(self.notices)
         if self._run is not None and all(finding.severity < Severity.ERROR for finding in found):
             # A program that is wrong as it stands is not run: what it would meet would be guesses.
-            found += self._run(self)
-        # A comment speaks for the file that it stands in.
+            said = {(finding.rule, finding.place) for finding in found}
+            for met in self._run(self):
+                if met is None:
+                    yield
+                elif (met.rule, met.place) not in said:
+                    found.append(met)
+        return self._kept(found)
+
+    def _kept(self, found: list[Finding]) -> list[Finding]:
+        """What no comment allows, in order. A comment speaks for the file that it stands in."""
         elsewhere = [finding for finding in found if finding.place.file != self.file]
         kept = allowed(self.document, [finding for finding in found if finding.place.file == self.file], self.ruleset)
         return sorted([*kept.findings, *elsewhere, *self._noticed(kept.notices)], key=lambda finding: finding.order)
@@ -98,10 +126,13 @@ class Analysis:
             if rule := self.ruleset.on_notice.get(notice.kind):
                 yield from (self._finding(report.line, Said(0, rule, report)) for report in rule.check(notice))
 
-    def _locals(self) -> Iterator[tuple[Piece, Said]]:
-        for piece in self.document.pieces():
-            for local in self._on_piece(piece):
-                yield piece, local
+    def _passed(self) -> Iterator[None]:
+        """Follow the modal state through the program; what the rules say on the way is kept."""
+        if stateful := self.ruleset.stateful:
+            for _ in stateful.states(self.document):
+                yield
+
+    def _modal(self) -> Iterator[tuple[Piece, Said]]:
         if stateful := self.ruleset.stateful:
             yield from stateful.findings(self.document)
 

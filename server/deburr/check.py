@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable
 from deburr.analysis import Analysis
 from deburr.finding import Finding, Place
 from deburr.host import Host, NoFiles
+from deburr.inputs import Inputs
 from deburr.ruleset import RuleSet
 from deburr.source import Source
 from deburr_grammar.dialect import Dialect
@@ -17,11 +18,12 @@ def check(
     ruleset: RuleSet,
     file: str = "",
     host: Host | None = None,
-    run: Callable[[Analysis], Iterable[Finding]] | None = None,
+    run: Callable[[Analysis], Iterable[Finding | None]] | None = None,
+    inputs: Inputs | None = None,
 ) -> list[Finding]:
     """All findings in order; with ``run`` (`deburr.ran`) also those that a run of the program meets."""
     document = opened(source, dialect, ruleset, host)
-    findings = Analysis(document, ruleset, file, host, tuple(source.notices()), run).findings()
+    findings = Analysis(document, ruleset, file, host, tuple(source.notices()), run, inputs).findings()
     return in_file(findings, file, source)
 
 

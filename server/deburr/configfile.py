@@ -62,6 +62,14 @@ def read(path: str) -> Config:
     return found
 
 
+def given(data: Mapping[str, Any], folder: str, said_by: str) -> Config:
+    """A configuration that stands in no file, such as an editor's settings; paths in it are seen from a folder."""
+    wrong = [f"{said_by}: {fault.message}" for fault in faults(data)]
+    if wrong:
+        raise ConfigError(*wrong)
+    return _config(data, paths.join(folder, said_by))
+
+
 def _data(path: str) -> dict[str, Any]:
     import tomllib
 

@@ -31,16 +31,20 @@ _SAID = {
 
 
 def ran(analysis: Analysis, inputs: Inputs | None = None, blocks: int = BLOCKS) -> list[Finding]:
-    """The findings of a run with these inputs. What a machine, an operator or a missing input would decide ends it in silence, and so does the bound."""
+    """The findings of a run with these inputs, or else those of the analysis. What a machine, an operator or a missing input would decide ends it in silence, and so does the bound."""
+    return [found for found in running(analysis, inputs, blocks) if found is not None]
+
+
+def running(analysis: Analysis, inputs: Inputs | None = None, blocks: int = BLOCKS) -> Iterator[Finding | None]:
+    """The same as work that can be left wherever it yields None."""
     module = interpreter(analysis.dialect.name)
     if module is None or not module.worth_running(analysis.document):
-        return []
+        return
     program = Program(analysis.file, analysis.document)
-    job = Job((program,), analysis.ruleset, analysis.host, _Nowhere(), inputs, Budget(blocks, 0))
-    for _ in drive(job):
-        pass
-    faults = job.faults[:-1] if job.cut else job.faults
-    return [found for fault in faults for found in _reported(fault, analysis)]
+    job = Job((program,), analysis.ruleset, analysis.host, _Nowhere(), inputs or analysis.inputs, Budget(blocks, 0))
+    yield from drive(job)
+    for fault in job.faults[:-1] if job.cut else job.faults:
+        yield from _reported(fault, analysis)
 
 
 def worded(fault: Fault, ruleset: RuleSet, line: str) -> Finding:

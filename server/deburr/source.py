@@ -7,6 +7,7 @@ from deburr.rule import Notice
 from deburr_grammar.text import Span, split_lines
 
 PADDING = "nul-bytes"
+MARK = "byte-order-mark"
 _BOM = b"\xef\xbb\xbf"
 _WIDE = (b"\xff\xfe", b"\xfe\xff")
 
@@ -31,7 +32,10 @@ class Source(NamedTuple):
         return len(self.lead)
 
     def notices(self) -> Iterator[Notice]:
-        """What is to be said of the padding, in columns of the text: what leads it stands left of column 0."""
+        """What is to be said of the mark and the padding, in columns of the text: what leads it stands left of column 0."""
+        if self.bom:
+            # The mark has no column of its own: the first character that an editor shows stands for it.
+            yield Notice(MARK, 0, Span(-len(self.lead), 1 - len(self.lead)), "byte order mark")
         if self.lead:
             yield Notice(PADDING, 0, Span(-len(self.lead), 0), _said(self.lead))
         if self.tail:
@@ -59,6 +63,12 @@ def read(data: bytes) -> Source | NotAProgram:
         return NotAProgram(f"a NUL byte at offset {at + len(data) - len(body)}: this is no program")
     text, encoding = decoded(body[start:end])
     return Source(text, "\0" * start, body[end:].decode("ascii"), encoding, bom)
+
+
+def text(data: bytes) -> str:
+    """The text of a file that a program names, whatever it holds."""
+    found = read(data)
+    return found.text if isinstance(found, Source) else decoded(data)[0]
 
 
 def decoded(data: bytes) -> tuple[str, str]:

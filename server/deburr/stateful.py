@@ -46,15 +46,24 @@ class Stateful:
 
     def findings(self, document: Document) -> Iterator[tuple[Piece, Said]]:
         """What the rules say of a program; kept with each chunk under the state before it."""
+        for piece, _, found in self._pieces(document):
+            for said in found:
+                yield piece, said
+
+    def states(self, document: Document) -> Iterator[tuple[Piece, State]]:
+        """The chunks in order, each with the state before it."""
+        return ((piece, state) for piece, state, _ in self._pieces(document))
+
+    def _pieces(self, document: Document) -> Iterator[tuple[Piece, State, tuple[Said, ...]]]:
         state = self._modal.start
         for piece in document.pieces():
             key = (self, document.key(piece), state)
             kept: tuple[tuple[Said, ...], State] | None = piece.chunk.memo.get(key)
             if kept is None:
                 kept = piece.chunk.memo[key] = self._through(piece, state)
-            found, state = kept
-            for said in found:
-                yield piece, said
+            found, after = kept
+            yield piece, state, found
+            state = after
 
     def line_findings(self, document: Document, line: int) -> Iterator[Said]:
         """What the rules say of one line, counted from itself."""

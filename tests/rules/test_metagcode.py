@@ -8,9 +8,9 @@ import pytest
 from deburr.analysis import Analysis
 from deburr.finding import Finding
 from deburr.host import Host, NoFiles
-from deburr.rules.metagcode.limit import LINES
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name
+from deburr_grammar.dialects.metagcode.limits import LINES
 from deburr_grammar.document import Document
 from support.pages import MemoryHost
 

@@ -1,9 +1,12 @@
 """MetaGCODE's arithmetic on exact decimals: comparison, the passes of a loop, and how its values are printed (spec/metagcode.md §5.3 to §5.5)."""
 
 import operator
+import re
 from collections.abc import Callable, Mapping
 from decimal import Decimal
 from typing import Any
+
+from deburr_grammar.dialects.metagcode.forms import number
 
 DECIMALS = 4
 """Decimals of printed values, unless another number of them is asked for."""
@@ -17,8 +20,19 @@ COMPARISONS: Mapping[str, Callable[[Any, Any], bool]] = {
 }
 """The operators of a condition in small letters, on two numbers or on two texts, which are ordered by code points."""
 
+_LED = re.compile(r"[+-]?[0-9]*[.,]?[0-9]+(?=[A-Za-z\"']*$)")
+_POWER = re.compile(r"[+-]?[0-9]+(?:\.[0-9]*)?[eE][+-]?[0-9]{1,2}")
 _SHORT = 10_000
 """Bits up to which Python writes an integer at once; longer ones take the way by a decimal, which knows no limit."""
+
+
+def number_meant(said: str) -> str:
+    """The end of a message on a text that is no number: the number that is meant, as it should be written, or nothing."""
+    if _POWER.fullmatch(said):
+        return f"; there is no exponent, write `{Decimal(said):f}`"
+    led = _LED.match(said)
+    meant = led[0].replace(",", ".") if led else ""
+    return f"; did you mean `{meant}`?" if number(meant) is not None else ""
 
 
 def passes(total: Decimal, step: Decimal) -> int:

@@ -31,8 +31,6 @@ class Disk:
 
 def _text(path: str) -> str | None:
     try:
-        data = paths.data(path)
+        return source.text(paths.data(path))
     except (OSError, ValueError):
         return None
-    found = source.read(data)
-    return found.text if isinstance(found, source.Source) else source.decoded(data)[0]

@@ -19,7 +19,7 @@ from deburr.cli.style import style_for
 from deburr.config import ConfigError, RuleSets
 from deburr.configfile import Configs
 from deburr.detect import detect
-from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive
+from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive, interpreter
 from deburr.finding import Finding, Severity
 from deburr.host import Host, NoFiles
 from deburr.ran import worded
@@ -150,7 +150,10 @@ class Flat:
 def flat_of(programs: Sequence[Opened], terms: Terms, lines: IO[bytes]) -> Flat:
     """Check the programs, run them into a file, and say on stderr what is wrong."""
     flat = Flat(programs, terms, lines, terms.eol or _eol(programs[0].source.text))
-    found = [finding for program in programs for finding in _checked(program)]
+    found = [finding for program in programs for finding in _checked(program, terms.inputs)]
+    if len(programs) > 1 and getattr(interpreter(programs[0].dialect.name), "CHECKS", False):
+        # What is wrong with one by itself may be right where they are joined.
+        found = [finding for finding in found if finding.severity < Severity.ERROR]
     if any(finding.severity is Severity.ERROR for finding in found):
         flat.whole = False
     else:
@@ -160,9 +163,10 @@ def flat_of(programs: Sequence[Opened], terms: Terms, lines: IO[bytes]) -> Flat:
     return flat
 
 
-def _checked(program: Opened) -> list[Finding]:
+def _checked(program: Opened, inputs: Inputs) -> list[Finding]:
     document, ruleset = program.document, program.ruleset
-    analysis = Analysis(document, ruleset, program.file, program.host, tuple(program.source.notices()))
+    notices = tuple(program.source.notices())
+    analysis = Analysis(document, ruleset, program.file, program.host, notices, inputs=inputs)
     return in_file(analysis.findings(), program.file, program.source)
 
 

@@ -14,6 +14,7 @@ COMMANDS = {
     "rule": "what a rule means, with a bad and a good example",
     "explain-dialect": "which dialect a file is written in, and why",
     "config": "the effective configuration of a file and where each value comes from",
+    "server": "the language server, for editors",
     "init": "write a commented deburr.toml into this folder",
 }
 UNABLE = 2

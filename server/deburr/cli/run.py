@@ -80,16 +80,18 @@ class Checker:
         dialect = by_name(answer.dialect)
         host: Host = self._disk if name else NoFiles()
         ruleset = self._rulesets.of(dialect, config, name or file)
-        findings = check(found, dialect, ruleset, file, host, self._ran if config.runs else None)
+        run = _ran if config.runs else None
+        findings = check(found, dialect, ruleset, file, host, run, self._options.inputs)
         shown = texts(findings, file, found, host) if self._options.texts and findings else ()
         fails = any(finding.severity >= config.fail_on for finding in findings)
         return Outcome(file, dialect.name, answer.reason, tuple(findings), fails, "", config.origin, shown)
 
-    def _ran(self, analysis: Analysis) -> list[Finding]:
-        # Only programs without an error pay for the interpreters.
-        from deburr.ran import ran
 
-        return ran(analysis, self._options.inputs)
+def _ran(analysis: Analysis) -> list[Finding]:
+    # Only programs without an error pay for the interpreters.
+    from deburr.ran import ran
+
+    return ran(analysis)
 
 
 def hints(asked: str | None, file: str, config: Config) -> Hints:

@@ -57,7 +57,7 @@ def drive(job: Job) -> Iterator[None]:
 
 
 def interpreter(dialect: str) -> ModuleType | Any:
-    """The interpreter of a dialect; None if it has none."""
+    """The interpreter of a dialect; None if it has none. Its ``CHECKS`` says whether a run finds every error by itself."""
     name = f"{__name__}.{dialect}"
     return import_module(name) if find_spec(name) is not None else None
 

@@ -12,10 +12,18 @@ if TYPE_CHECKING:
     from deburr.fault import Halt
     from deburr_grammar.text import Span
 
+ABORTS = re.compile(r"\([ \t]*abort[ \t]*,", re.I)
+"""A comment that stops the program."""
 _ACTIVE = re.compile(r"\([ \t]*(debug|print|log|abort)[ \t]*,", re.I)
-_PART = re.compile(r"%(?:d|f|\.([0-9])f)|#[ \t]*(?:<([^<>]*)>|([0-9]+))")
+_PART = re.compile(r"%(?:d|f|\.([0-9])f|(?=\.))|#(?:<([^<>]*)>|([0-9]+))")
+"""A format (a lone `%` before a point is swallowed), or a parameter."""
 _SWITCH = 5599
 """The parameter that turns DEBUG off."""
+_LONGEST = 29
+"""Characters of a value that the control has room for."""
+_UNKNOWN = "######"
+"""What it shows for the rest."""
+_NONE = "#<no value>"
 _FLAT = {"debug": "(MSG,{})", "print": "(PRINT,{})", "log": "(LOG,{})"}
 
 
@@ -35,7 +43,7 @@ class Comment:
         """The comment with values in place of parameters; nothing if it shows nothing."""
         if self.plain:
             return self._text
-        if self._kind == "debug" and self._state.params[_SWITCH] == 0:
+        if self._kind == "debug" and self._state.params[_SWITCH] <= 0:
             return ""
         said = self._filled()
         if self._kind == "abort":
@@ -52,17 +60,21 @@ class Comment:
         for match in _PART.finditer(self._said):
             found.append(self._said[at : match.start()])
             at = match.end()
-            if match[0][0] == "%":
-                form = "d" if match[0] == "%d" else f"%.{match[1] or 4}f"
-            else:
-                found.append(self._shown(form, match[2], match[3]))
+            if match[0] == "%d":
+                form = "%.0f"
+            elif match[0][0] == "#":
+                found.append(self._shown(form, match))
+            elif match[0] != "%":
+                form = f"%.{match[1] or 4}f"
         return "".join(found) + self._said[at:]
 
-    def _shown(self, form: str, name: str | None, number: str | None) -> str:
-        value = self._value(name, number)
-        if value is None:
-            return "######"
-        return _whole(value) if form == "d" else form % value
+    def _shown(self, form: str, match: re.Match[str]) -> str:
+        value = self._value(match[2], match[3])
+        said = form % value if value is not None else ""
+        if said and len(said) <= _LONGEST:
+            return said
+        # The flat program has no such parameter either: there it is shown in the same way.
+        return _UNKNOWN if self._kind == "debug" else _NONE
 
     def _value(self, name: str | None, number: str | None) -> float | None:
         state = self._state
@@ -72,11 +84,7 @@ class Comment:
                 return predefined(*self._place)
             return (state.globals if known.startswith("_") else state.locals).get(known)
         at = int(number or 0)
-        if not 1 <= at <= state.last:
+        if at > state.last:
             return None
         return state.machine.number(at, *self._place) if at in state.machine.special else state.params[at]
 
-
-def _whole(value: float) -> str:
-    """Half to even, and minus zero keeps its sign, as C prints it."""
-    return f"{value:.0f}"

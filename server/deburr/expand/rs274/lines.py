@@ -26,12 +26,13 @@ _INDENT = re.compile(r"[ \t]*\Z")
 
 
 class Word(NamedTuple):
-    """A word: its letter, what calculates its value, whether that is literal, and its code if it is a literal G or M word."""
+    """A word: its letter, what calculates its value, whether that is literal, its code if it is a literal G or M word, and its value in the tree."""
 
     letter: str
     get: Get
     literal: bool
     code: str
+    part: Node | Token
 
 
 class Line:
@@ -39,6 +40,7 @@ class Line:
 
     def __init__(self, state: State, file: str, row: int, node: LineNode) -> None:
         self.node = node
+        self._keep_n = state.job.inputs.keep_n
         self.values = Values(state, file, row, node.text)
         self.words: list[Word] = []
         self.settings: list[tuple[Callable[[], Put], Get]] = []
@@ -67,23 +69,29 @@ class Line:
     def _word(self, part: Node) -> Word:
         letter, value = self.node.text[part.start].upper(), part.children[1]
         code = code_number(self.values.said(part)) if letter in "GM" and isinstance(value, Token) else ""
-        return Word(letter, self.values.value(value), _is_literal(value), code)
+        return Word(letter, self.values.value(value), _is_literal(value), code, value)
 
     @property
     def deleted(self) -> bool:
         """Whether the line begins with `/`."""
         return self.node.tree.find("DELETE") is not None
 
+    def begins_with(self, code: str) -> bool:
+        """Whether nothing stands before this code."""
+        _, number = self._parts[0]
+        return number == 0 and self.words[0].code == code
+
     def codes(self) -> frozenset[str]:
         """The literal G and M codes."""
         return frozenset(word.code for word in self.words if word.code)
 
-    def pieces(self, leave_out: frozenset[str], keep_n: bool, instead: str = "") -> list[Piece]:
+    def pieces(self, leave_out: frozenset[str] = frozenset(), instead: str = "") -> list[Piece]:
         """The flat line: text, numbers of words whose values are to be written, and `ACTS`. Empty if nothing is left.
 
         ``leave_out``: codes, and letters, of words that are not written. ``instead`` is written where the first of them stood.
         """
-        at = self._start(keep_n)
+        at = self._start(False)
+        head = self.node.text[self._start(self._keep_n) : at]
         pieces: list[Piece] = []
         for part, number in self._parts:
             pieces.append(self.node.text[at : part.start])
@@ -100,7 +108,8 @@ class Line:
             else:
                 pieces.append(ACTS if part is self._acting else self.node.text[part.start : at])
         pieces.append(self.node.text[at:])
-        return _joined(pieces)
+        # A line number alone is no line.
+        return _joined([head, *pieces]) if _joined(pieces) else []
 
     def _start(self, keep_n: bool) -> int:
         """Where the flat line begins: behind block delete and line number."""

@@ -59,6 +59,10 @@ class Machine:
         state.params[5599] = 1.0
         self._position.stored(state.params)
 
+    def values(self) -> tuple[object, ...]:
+        """All that it holds, to be compared."""
+        return (self._selected, self._tool, vars(self.modes.copy()), *self._position.values())
+
     def number(self, at: int, file: str, row: int, span: Span) -> float:
         """The value of a special parameter."""
         if at in _POSITION:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Set
+from copy import copy
 
 _GROUPS = {
     "motion": (
@@ -50,6 +51,12 @@ _GROUPS = {
 GROUP_OF = {code: group for group, codes in _GROUPS.items() for code in codes}
 
 
+MM_PER_INCH = 25.4
+_INCH_PER_MM = 1 / MM_PER_INCH
+_RESTORED = ("length", "plane", "system", "path", "lathe", "distance", "arc", "retract", "spindle", "compensation")
+"""Groups whose code M72 says again where it differs."""
+
+
 class Modes:
     """Ten times the code in force of each group, and what M codes switched."""
 
@@ -60,30 +67,102 @@ class Modes:
         }  # fmt: skip
         self.feed = 0.0
         self.speed = 0.0
+        self.tolerance = (0.0, 0.0)
+        """P and Q of G64."""
         self.spindle = 50
         self.mist = self.flood = False
         self.adaptive = False
+        self.shifted = False
+        """Whether G92 or G52 is in force."""
         self.feed_hold = self.feed_override = self.speed_override = True
 
     @property
     def unit(self) -> float:
         """Millimetres in the unit that lengths are written in."""
-        return 25.4 if self.g["units"] == 200 else 1.0
+        return MM_PER_INCH if self.g["units"] == 200 else 1.0
+
+    def copy(self) -> Modes:
+        """The same modes, to be kept."""
+        found = copy(self)
+        found.g = dict(self.g)
+        return found
 
     def take(self, codes: Set[tuple[str, int]], words: dict[str, float]) -> None:
         """What the words of a block leave."""
-        before = self.unit
+        units = self.g["units"]
         for letter, code in codes:
             if letter == "G" and code in GROUP_OF:
                 self.g[GROUP_OF[code]] = code
             elif letter == "M":
                 self._switch(code, words)
-        # A feed stays the same speed when the unit changes.
-        self.feed *= before / self.unit
+        if ("G", 640) in codes:
+            self.tolerance = (words.get("P", 0.0), words.get("Q", 0.0))
+        if ("G", 940) in codes or ("G", 950) in codes:
+            self.feed = 0.0
+        self._changed(units)
         self.feed = words.get("F", self.feed)
         self.speed = words.get("S", self.speed)
         if ("M", 20) in codes or ("M", 300) in codes:
             self._ended()
+
+    def restored(self, saved: Modes) -> list[str]:
+        """Bring saved modes back as M72 does, and the lines that do the same."""
+        lines, units = [], self.g["units"]
+        if units != saved.g["units"]:
+            self.g["units"] = saved.g["units"]
+            lines.append(_code(saved.g["units"]))
+            self._changed(units)
+        words = self._words(saved)
+        lines += [" ".join(words)] if words else []
+        lines += self._switches(saved)
+        return lines
+
+    def _words(self, saved: Modes) -> list[str]:
+        words, feed, speed = [], self.feed, self.speed
+        if self.g["feed"] != saved.g["feed"]:
+            self.g["feed"] = saved.g["feed"]
+            words.append(_code(saved.g["feed"]))
+            if saved.g["feed"] != 930:
+                self.feed = 0.0
+        # It writes a feed with one decimal and a speed with none.
+        if feed != saved.feed:
+            words.append(f"F{saved.feed:.1f}")
+            self.feed = float(f"{saved.feed:.1f}")
+        if speed != saved.speed:
+            words.append(f"S{saved.speed:.0f}")
+            self.speed = float(f"{saved.speed:.0f}")
+        if self.spindle != saved.spindle:
+            self.spindle = saved.spindle
+            words.append(f"M{saved.spindle // 10}")
+        for group in _RESTORED:
+            path = group == "path" and self.tolerance != saved.tolerance
+            if self.g[group] != saved.g[group] or path:
+                self.g[group] = saved.g[group]
+                words.append(_code(saved.g[group]))
+        if self.shifted != saved.shifted:
+            words.append("G92.3" if saved.shifted else "G92.2")
+        return words
+
+    def _switches(self, saved: Modes) -> list[str]:
+        lines = []
+        if (self.mist, self.flood) != (saved.mist, saved.flood):
+            self.mist, self.flood = saved.mist, saved.flood
+            lines += [code for on, code in ((saved.mist, "M7"), (saved.flood, "M8")) if on] or ["M9"]
+        if self.feed_override != saved.feed_override:
+            self.feed_override = self.speed_override = saved.feed_override
+            lines.append("M48" if saved.feed_override else "M49")
+        if self.adaptive != saved.adaptive:
+            self.adaptive = saved.adaptive
+            lines.append("M52" if saved.adaptive else "M52 P0")
+        if self.feed_hold != saved.feed_hold:
+            self.feed_hold = saved.feed_hold
+            lines.append("M53" if saved.feed_hold else "M53 P0")
+        return lines
+
+    def _changed(self, units: int) -> None:
+        """A feed stays the same speed when the unit changes."""
+        if units != self.g["units"]:
+            self.feed *= MM_PER_INCH if units == 200 else _INCH_PER_MM
 
     def _switch(self, code: int, words: dict[str, float]) -> None:
         on = words.get("P", 1.0) != 0
@@ -114,6 +193,11 @@ class Modes:
         self.g.update(plane=170, distance=900, feed=940, compensation=400, system=540, motion=10)
         self.spindle, self.mist, self.flood = 50, False, False
         self.feed_override = self.speed_override = True
+
+
+def _code(tenths: int) -> str:
+    """A G code from ten times its number."""
+    return f"G{tenths // 10}.{tenths % 10}" if tenths % 10 else f"G{tenths // 10}"
 
 
 def _is(group: str, code: int) -> Callable[[Modes], float]:

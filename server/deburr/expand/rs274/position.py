@@ -51,6 +51,11 @@ class Position:
         if params[5210]:
             self._shift = list(self._kept_shift)
 
+    def values(self) -> tuple[object, ...]:
+        """The point and the offsets, to be compared."""
+        offsets = (self._system, self._shift, self._tool, self._kept_shift)
+        return (list(self._at), *map(list, (*self._systems, *offsets)), self._retract, self._depth_level)
+
     def axis(self, axis: int) -> float | None:
         """A coordinate in the active system, in the unit that the program writes."""
         value = self._program(axis)
@@ -125,14 +130,18 @@ class Position:
     def _unshift(self, gs: Set[int]) -> None:
         if 923 in gs:
             self._shift = list(self._kept_shift)
-            self._machine.state.params[5210] = 1.0
+            self._shifted(True)
             return
         self._shift = [0.0] * 9
-        self._machine.state.params[5210] = 0.0
+        self._shifted(False)
         if 921 in gs:
             self._kept_shift = [0.0] * 9
             for axis in range(9):
                 self._store(5211, axis, 0.0)
+
+    def _shifted(self, on: bool) -> None:
+        self._machine.state.params[5210] = float(on)
+        self._machine.modes.shifted = on
 
     def _non_modal(self, gs: Set[int], words: dict[str, float]) -> None:
         given = {axis: words[letter] * self._unit(axis) for axis, letter in enumerate(AXES) if letter in words}
@@ -150,7 +159,7 @@ class Position:
             self._shift[axis] = _minus(base, value) if to_here else value
             self._store(5211, axis, self._shift[axis])
         self._kept_shift = list(self._shift)
-        self._machine.state.params[5210] = 1.0
+        self._shifted(True)
 
     def _data(self, given: dict[int, float], words: dict[str, float]) -> None:
         kind, number = round(words.get("L", 0)), round(words.get("P", 0))

@@ -8,13 +8,15 @@ from typing import TYPE_CHECKING
 
 from deburr.expand.job import EXACT
 from deburr.expand.numbers import written
+from deburr.expand.rs274.comments import ABORTS
 from deburr.expand.rs274.files import first_values
-from deburr.expand.rs274.flow import ELSEWHERE, END, Flow
+from deburr.expand.rs274.flow import Flow
 from deburr.expand.rs274.lines import DECIMALS, Line, Piece, text_of
 from deburr.expand.rs274.machine import Machine
-from deburr.expand.rs274.state import State
-from deburr.expand.rs274.unit import Op, Unit
-from deburr.expand.rs274.values import Values
+from deburr.expand.rs274.parts import last_values
+from deburr.expand.rs274.state import Saved, State
+from deburr.expand.rs274.unit import ELSEWHERE, END, Op, Unit
+from deburr.expand.rs274.values import name_of
 from deburr.fault import Entered, Halt
 from deburr_grammar.text import Span
 
@@ -24,10 +26,13 @@ if TYPE_CHECKING:
     from deburr_grammar.line import LineNode
 
 _NUMBERED = re.compile(r"[ \t]*[nN][ \t]*[0-9][0-9 \t]*(?:\.[0-9 \t]*)?")
-_WATCHED = re.compile(r"#[ \t]*(?:5|#|\[|<[ \t]*_)")
+_WATCHED = re.compile(r"#[ \t]*(?:5|#|\[)|[mM][ \t]*0*[ \t]*(?:7[ \t]*[03]|9[ \t]*8)")
+"""What can read the position or bring modes back, or calls who knows what."""
+_GLOBAL = re.compile(r"#[ \t]*(<[ \t]*_[^<>\n]*>)")
 _RUNS = frozenset(("param", "setting", "group", "function", "atan", "exists", "CALL", "active"))
 _NOT_PLAIN = _RUNS | {"o_line", "PERCENT", "DELETE", "NUMBER_USED", "NAME_USED"}
-_FLOW_CODES = frozenset(("M2", "M30", "M98", "M99", "M73"))
+_FLOW_CODES = frozenset(("M2", "M30", "M70", "M71", "M72", "M73", "M98", "M99"))
+_SAVES = frozenset(("M70", "M71", "M72", "M73"))
 
 
 def run(job: Job) -> Iterator[None]:
@@ -65,7 +70,7 @@ class Run:
         """From the first line to the end."""
         self.main = self.unit = unit
         self.row = 0
-        self._watch = _WATCHED.search(unit.document.text) is not None
+        self._watch = self._is_watched(unit)
         row = ELSEWHERE
         while row != END:
             if row == ELSEWHERE:
@@ -82,6 +87,49 @@ class Run:
             if not left:
                 yield
 
+    def written(self, unit: Unit, row: int, line: Line, pieces: list[Piece], behind: int) -> Op:
+        """A line that is calculated, set and written."""
+        emit, file, state, watch = self.job.emit, unit.file, self.state, self._watch
+        kept = state.machine.kept
+        settings, gets, comment = line.settings, [word.get for word in line.words], line.comment
+        decimals, minus_zero, letters = self._decimals, self._minus_zero, [word.letter for word in line.words]
+
+        def executed() -> int:
+            puts = [(target(), get()) for target, get in settings]
+            values = [get() for get in gets]
+            for put, value in puts:
+                put(value)
+            if kept:
+                self._keep(unit, row)
+            text = text_of(pieces, values, comment, decimals, minus_zero)
+            if watch:
+                state.machine.block(letters, values, line.deleted)
+            if text.strip():
+                emit(text.rstrip(" \t") if settings else text, file, row, state.frame)
+            return behind
+
+        return executed
+
+    def restore(self, unit: Unit, row: int, saved: Saved) -> None:
+        """Bring saved modes back. The flat program has one place for them: where it holds others by now, words say what changes."""
+        emit, frame = self.job.emit, self.state.frame
+        lines = self.state.machine.modes.restored(saved.modes)
+        for text in ["M72"] if self.state.slot is saved else lines:
+            emit(text, unit.file, row, frame)
+
+    def undecided(self, unit: Unit, row: int, node: LineNode) -> Halt:
+        """The end of a run that hangs on the operator's switch."""
+        message = "whether this line runs is decided at the machine, and the lines behind it depend on it; say --block-delete on or off"
+        return self.state.fault("block-delete-state", unit.file, row, Span(0, len(node.text.rstrip())), message)
+
+    def _is_watched(self, unit: Unit) -> bool:
+        """Whether anything may ask for the position or for modes: only then they are followed."""
+        text, named = unit.document.text, self.state.machine.named
+        if _WATCHED.search(text) or any(named(name_of(said)) for said in set(_GLOBAL.findall(text))):
+            return True
+        # A file that is called may ask as well.
+        return any(label not in unit.subs or self._flow.calls.load(label) is not None for label in unit.called)
+
     def _where(self, unit: Unit) -> str:
         """The innermost loop and what it depends on, in the user's words."""
         loops = self.state.loops
@@ -89,19 +137,8 @@ class Run:
             return ""
         row, frame = loops[-1].first, self.state.frame
         line = unit.document.line(row).strip()
-        passes = f" in pass {frame.number}" if frame is not None and frame.kind is Entered.LOOP else ""
-        return f"`{line}` of line {row + 1}{passes}{self._last_values(unit, row)}"
-
-    def _last_values(self, unit: Unit, row: int) -> str:
-        node = unit.document.node(row)
-        values = Values(self.state, unit.file, row, node.text)
-        said = []
-        for param in node.find("param"):
-            try:
-                said.append(f"`{values.said(param)}` = {values.value(param)():g}")
-            except Halt:
-                continue
-        return f" with {', '.join(said)}" if said else ""
+        passes = f" in pass {frame.number:,}" if frame is not None and frame.kind is Entered.LOOP else ""
+        return f"`{line}` of line {row + 1}{passes}{last_values(self.state, unit, row)}"
 
     def _compiled(self, unit: Unit, row: int) -> Op:
         op = unit.code[row] = self._compile(unit, row)
@@ -127,7 +164,7 @@ class Run:
         flow = node.shape.memo.get("rs274 flow")
         if flow is None:
             flow = node.shape.memo["rs274 flow"] = not _FLOW_CODES.isdisjoint(Line(self.state, "", 0, node).codes())
-        if flow:
+        if flow or ("COMMENT" in node.kinds and ABORTS.search(node.text)):
             return self._block(unit, row, node)
         text = node.text
         if "line_number" in node.kinds and not self.job.inputs.keep_n:
@@ -159,58 +196,55 @@ class Run:
         delete = self.job.inputs.block_delete if line.deleted else False
         if delete is True:
             return lambda: row + 1
-        if delete is None and (line.settings or not codes.isdisjoint(("M98", "M99", "M73"))):
+        if delete is None and (line.settings or not codes.isdisjoint(("M98", "M99", *_SAVES))):
             raise self.undecided(unit, row, node)
         if "M98" in codes:
-            return self._flow.numbered_call(unit, row, line)
-        if "M99" in codes and self.state.calls:
-            return self._flow.numbered_end(unit, row, line)
-        restores = "M73" in codes and bool(self.state.calls)
-        pieces = line.pieces(frozenset(("M73",)) if restores else frozenset(), self.job.inputs.keep_n, "M70")
+            return self._flow.calls.numbered_call(unit, row, line)
+        if not codes.isdisjoint(_SAVES):
+            return self._saving(unit, row, line, codes & _SAVES)
+        pieces = line.pieces()
         if not pieces and not line.words:
             return self._settings_alone(unit, row, line)
         if delete is None:
             pieces.insert(0, "/")
         ends = not codes.isdisjoint(("M2", "M30", "M99")) and delete is False
-        executed = self.written(unit, row, line, pieces, END if ends else row + 1, restores)
-        return self._framed(executed) if ends else executed
+        executed = self.written(unit, row, line, pieces, END if ends else row + 1)
+        if ends:
+            executed = self._framed(executed)
+        return self._flow.calls.numbered_end(unit, row, line, executed) if "M99" in codes else executed
+
+    def _saving(self, unit: Unit, row: int, line: Line, codes: frozenset[str]) -> Op:
+        """M70 to M73: the rest of the line first, then what they do to the saved modes."""
+        rest, state, emit = self.written(unit, row, line, line.pieces(_SAVES), row + 1), self.state, self.job.emit
+        span = Span(0, len(line.node.text.rstrip()))
+
+        def executed() -> int:
+            rest()
+            saved = state.saved
+            if not codes.isdisjoint(("M70", "M73")):
+                state.saved = state.slot = Saved(state.machine.modes.copy(), "M73" in codes)
+                emit("M70", unit.file, row, state.frame)
+            elif "M71" in codes:
+                state.saved = None
+            elif saved is None:
+                message = "`M72` brings modes back that no `M70` or `M73` has saved at this level of calls"
+                raise state.fault("restore-unsaved", unit.file, row, span, message)
+            else:
+                self.restore(unit, row, saved)
+            return row + 1
+
+        return executed
 
     def _framed(self, end: Op) -> Op:
         """The end of a program in percent signs: the second one stays behind it."""
 
         def ended() -> int:
             behind = end()
-            sign = self.main.closing_sign if self._percent else None
-            if sign is not None:
+            for sign in self.main.signs[1:] if self._percent else ():
                 self.job.emit(self.main.document.line(sign), self.main.file, sign, None)
             return behind
 
         return ended
-
-    def written(self, unit: Unit, row: int, line: Line, pieces: list[Piece], behind: int, restores: bool = False) -> Op:
-        """A line that is calculated, set and written. ``restores``: it said M73."""
-        emit, file, state, watch = self.job.emit, unit.file, self.state, self._watch
-        kept = state.machine.kept
-        settings, gets, comment = line.settings, [word.get for word in line.words], line.comment
-        decimals, minus_zero, letters = self._decimals, self._minus_zero, [word.letter for word in line.words]
-
-        def executed() -> int:
-            puts = [(target(), get()) for target, get in settings]
-            values = [get() for get in gets]
-            for put, value in puts:
-                put(value)
-            if kept:
-                self._keep(unit, row)
-            text = text_of(pieces, values, comment, decimals, minus_zero)
-            if watch:
-                state.machine.block(letters, values, line.deleted)
-            if restores:
-                state.restores = True
-            if text.strip():
-                emit(text.rstrip(" \t") if settings else text, file, row, state.frame)
-            return behind
-
-        return executed
 
     def _settings_alone(self, unit: Unit, row: int, line: Line) -> Op:
         kept, behind = self.state.machine.kept, row + 1
@@ -242,8 +276,3 @@ class Run:
             value = written(self.state.params[at], self._decimals, self._minus_zero)
             self.job.emit(f"#{at}={value}", unit.file, row, self.state.frame)
         self.state.machine.kept.clear()
-
-    def undecided(self, unit: Unit, row: int, node: LineNode) -> Halt:
-        """The end of a run that hangs on the operator's switch."""
-        message = "whether this line runs is decided at the machine, and the lines behind it depend on it; say --block-delete on or off"
-        return self.state.fault("block-delete-state", unit.file, row, Span(0, len(node.text.rstrip())), message)

@@ -9,6 +9,7 @@ from deburr.fault import Fault, Frame, Halt
 if TYPE_CHECKING:
     from deburr.expand.job import Job
     from deburr.expand.rs274.machine import Machine
+    from deburr.expand.rs274.modes import Modes
     from deburr.expand.rs274.unit import Unit
     from deburr_grammar.text import Span
 
@@ -16,6 +17,8 @@ LAST_PARAMETER = {"linuxcnc": 5601, "smithy": 5399}
 ARGUMENTS = 30
 """#1 to #30 belong to a call (spec/rs274.md §6)."""
 READ_ONLY = frozenset((*range(5400, 5414), *range(5420, 5429)))
+ENDLESS = -1
+"""The passes that a loop has left that counts none."""
 
 
 class Loop(NamedTuple):
@@ -23,13 +26,23 @@ class Loop(NamedTuple):
 
     first: int
     outer: Frame | None
-    left: int = 0
+    left: int = ENDLESS
+
+
+class Saved:
+    """Modes that were saved. ``by_return``: the end of the subprogram brings them back."""
+
+    __slots__ = ("by_return", "modes")
+
+    def __init__(self, modes: Modes, by_return: bool) -> None:
+        self.modes = modes
+        self.by_return = by_return
 
 
 class Activation:
     """A call: where it goes on, and what it hides of its caller."""
 
-    __slots__ = ("again", "arguments", "frame", "locals", "loops", "restores", "row", "unit")
+    __slots__ = ("again", "arguments", "frame", "locals", "loops", "row", "saved", "unit")
 
     def __init__(self, unit: Unit, row: int, state: State) -> None:
         self.unit = unit
@@ -38,13 +51,13 @@ class Activation:
         self.locals = state.locals
         self.loops = state.loops
         self.frame = state.frame
-        self.restores = state.restores
+        self.saved = state.saved
         self.again: tuple[Unit, int, int] | None = None
         """Of a program that M98 called: where it starts, and how often it runs once more."""
 
 
 class State:
-    """All of it. ``row`` is the line that runs; closures of compiled lines read and write here."""
+    """All of it; closures of compiled lines read and write here."""
 
     def __init__(self, job: Job, machine: Machine) -> None:
         self.job = job
@@ -58,8 +71,17 @@ class State:
         self.frame: Frame | None = None
         self.value = 0.0
         self.value_returned = 0.0
-        self.restores = False
-        """Whether the running subprogram said M73, so that its end brings the modes back."""
+        self.saved: Saved | None = None
+        """What M70 or M73 saved at this level of calls."""
+        self.slot: Saved | None = None
+        """What the flat program has saved: it has one place for all levels."""
+        self.leaks = Leaks()
+
+    def values(self) -> tuple[object, ...]:
+        """All that decides how the run goes on from this line, to be compared."""
+        leaks = (self.leaks.broke, self.leaks.continued, dict(self.leaks.counters))
+        own = (self.params.copy(), dict(self.globals), dict(self.locals), self.value, self.value_returned)
+        return (*own, len(self.calls), *leaks, self.machine.values())
 
     def fault(self, kind: str, file: str, row: int, span: Span, message: str) -> Halt:
         """The end of the run."""
@@ -68,3 +90,15 @@ class State:
     def warn(self, kind: str, file: str, row: int, span: Span, message: str) -> None:
         """Something that the run passes."""
         self.job.meet(Fault(kind, file, row, span, message, self.frame))
+
+
+class Leaks:
+    """What the installed interpreter keeps of one loop for the next by mistake (spec/oracle.md §4). It only decides where to warn."""
+
+    def __init__(self) -> None:
+        self.broke = False
+        """It has met a `break` and not yet come to the end of a `do` loop, which it would end."""
+        self.continued = False
+        """It has met the `continue` of a `do` loop, and goes back at the next end of a loop to which it skips."""
+        self.counters: dict[tuple[str, int], int] = {}
+        """Passes that are left of each `repeat` that was not run to its end, by file and row."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
+from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from functools import cached_property
 from itertools import islice
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from deburr.analysis import Analysis
 from deburr.finding import Severity
 from deburr_grammar.dialect import Bracket, Role
+from deburr_grammar.dialects.rs274.outline import label_of
 
 if TYPE_CHECKING:
     from deburr.expand.job import Job
@@ -19,29 +20,33 @@ if TYPE_CHECKING:
 
 _OF_PROGRAMS = ("program-end-missing", "percent")
 """What is wrong with a program that is none with a file that is called."""
+_LOOPS = ("while", "do")
+ELSEWHERE, END = -1, -2
+"""What a line gives instead of the next row: the run goes on in another file or subprogram, or is over."""
 Op = Callable[[], int]
-"""A compiled line: it runs and gives the next row, or one of the signs of `run.py`."""
+"""A compiled line: it runs and gives the next row, or one of the signs above."""
 
 
 class Block:
     """A flow block: the rows of its O-words. ``close`` is behind the last line while it is not known."""
 
-    __slots__ = ("close", "inside", "kind", "label", "middles", "open")
+    __slots__ = ("breaks", "close", "crossed", "kind", "label", "middles", "open")
 
-    def __init__(self, bracket: Bracket, row: int, close: int, inside: Block | None) -> None:
+    def __init__(self, bracket: Bracket, row: int, close: int) -> None:
         self.kind = bracket.kind
         self.label = bracket.label
         self.open = row
         self.close = close
-        self.inside = inside
         self.middles: list[int] = []
+        """Rows of `elseif` and `else`."""
+        self.breaks: list[int] = []
+        """Rows of its `break`s, which the interpreter also meets where it passes over them."""
+        self.crossed = False
+        """Whether it overlaps another block."""
 
-    def outward(self) -> Iterator[Block]:
-        """This block and those around it, innermost first."""
-        block: Block | None = self
-        while block is not None:
-            yield block
-            block = block.inside
+    def takes(self, kinds: tuple[str, ...], label: str | None) -> bool:
+        """Whether a bracket of these kinds and this label can belong to it."""
+        return self.kind in kinds and (label is None or self.label is None or self.label == label)
 
 
 class Unit:
@@ -52,77 +57,124 @@ class Unit:
         self.document = document
         self.code: list[Op | None] = [None] * document.line_count
         self.blocks: dict[int, Block] = {}
-        """The block of each row that holds a flow command: the one that it opens, closes or stands in."""
-        self.subs: dict[str, int] = {}
+        """The block of each row with a flow command: the one that it opens, closes, branches or leaves."""
+        self.subs: dict[str, list[int]] = {}
+        """The rows at which subprograms start, by label."""
         self.ends: dict[int, int] = {}
         """The row of each subprogram's end."""
-        self.returns: list[int] = []
-        """Rows of `return` and `endsub`, whose values the control calculates even where it skips them."""
+        self.returns: dict[int, list[int]] = {}
+        """The rows of `return` and `endsub` of a subprogram that bear its own label."""
+        self.passed: set[int] = set()
+        """Rows of definitions that the run has come by or called."""
         self._read()
+
+    def sub_behind(self, label: str, row: int) -> int | None:
+        """The first subprogram of a label behind a row."""
+        rows = self.subs.get(label, [])
+        at = bisect_right(rows, row)
+        return rows[at] if at < len(rows) else None
+
+    def numbered_behind(self, label: str, row: int) -> int | None:
+        """The first bare O-word of a label behind a row."""
+        rows = self._numbered.get(label, [])
+        at = bisect_right(rows, row)
+        return rows[at] if at < len(rows) else None
 
     def _read(self) -> None:
         last = len(self.code)
-        inner: Block | None = None
-        sub: int | None = None
+        around: list[Block] = []
+        outside = around
+        sub: tuple[int, str | None] | None = None
         for row, bracket in self.document.brackets():
             match bracket.role:
                 case Role.OPEN:
-                    inner = self.blocks[row] = Block(bracket, row, last, inner)
-                case Role.CLOSE if inner is not None:
-                    self.blocks[row] = inner
-                    inner.close = row
-                    inner = inner.inside
-                case Role.MIDDLE if inner is not None:
-                    self.blocks[row] = inner
-                    if bracket.kind == inner.kind:
-                        inner.middles.append(row)
+                    self.blocks[row] = Block(bracket, row, last)
+                    around.append(self.blocks[row])
+                case Role.CLOSE:
+                    self._closed(around, bracket, row)
+                case Role.MIDDLE:
+                    self._middle(around, bracket, row)
                 case Role.REGION:
-                    sub, inner = row, None
-                    self.ends[row] = last
-                    if bracket.label is not None:
-                        self.subs.setdefault(bracket.label, row)
-                case Role.END_REGION:
-                    if sub is not None:
-                        self.ends[sub] = row
-                    sub, inner = None, None
-            if bracket.word in ("return", "endsub"):
-                self.returns.append(row)
+                    sub, around = (row, bracket.label), []
+                    self._started(row, bracket.label, last)
+                case Role.END_REGION if sub is not None:
+                    self.ends[sub[0]] = row
+            if sub is not None and bracket.word in ("return", "endsub") and bracket.label == sub[1] is not None:
+                self.returns[sub[0]].append(row)
+            if bracket.role is Role.END_REGION:
+                sub, around = None, outside
+
+    def _started(self, row: int, label: str | None, last: int) -> None:
+        self.ends[row], self.returns[row] = last, []
+        if label is not None:
+            self.subs.setdefault(label, []).append(row)
+
+    def _closed(self, around: list[Block], bracket: Bracket, row: int) -> None:
+        at = next((at for at in reversed(range(len(around))) if around[at].takes((bracket.kind,), bracket.label)), None)
+        if at is None:
+            return
+        block = self.blocks[row] = around[at]
+        block.close = row
+        if at + 1 < len(around):
+            for crossed in around[at:]:
+                crossed.crossed = True
+        del around[at]
+
+    def _middle(self, around: list[Block], bracket: Bracket, row: int) -> None:
+        kinds = _LOOPS if bracket.kind == "loop" else (bracket.kind,)
+        block = next((block for block in reversed(around) if block.takes(kinds, bracket.label)), None)
+        if block is None:
+            return
+        self.blocks[row] = block
+        if bracket.word == "break":
+            block.breaks.append(row)
+        elif bracket.kind == "if":
+            block.middles.append(row)
 
     @cached_property
-    def numbered(self) -> dict[str, int]:
+    def _numbered(self) -> dict[str, list[int]]:
         """Rows of the bare O-words at which programs start that M98 calls."""
-        from deburr_grammar.dialects.rs274.outline import label_of
-
-        found: dict[str, int] = {}
+        found: dict[str, list[int]] = {}
         for row in self._bare():
             node = self.document.node(row)
             for o_line in node.find("o_line"):
                 label = o_line.node("label")
                 if label is not None and (name := label_of(node.text, label)) is not None:
-                    found.setdefault(name, row)
+                    found.setdefault(name, []).append(row)
         return found
+
+    @cached_property
+    def called(self) -> frozenset[str | None]:
+        """The labels of all calls; None for those that only the run knows."""
+        found: set[str | None] = set()
+        for row in self._with("CALL"):
+            node = self.document.node(row)
+            for label in node.find("label"):
+                found.add(label_of(node.text, label))
+        return frozenset(found)
 
     def _bare(self) -> Iterator[int]:
         flow = {row for row, _ in self.document.brackets()}
+        return (row for row in self._with("o_line") if row not in flow and "CALL" not in self.document.node(row).kinds)
+
+    def _with(self, kind: str) -> Iterator[int]:
+        """The rows of lines with a node of a kind."""
         for piece in self.document.pieces():
             for reading, first, shapes in piece.read():
-                held = {shape for shape in set(shapes) if "o_line" in shape.facts(reading).kinds}
-                for index in (at for at, shape in enumerate(shapes, first) if shape in held) if held else ():
-                    row = piece.line + index
-                    if row not in flow and "CALL" not in piece.node(index).kinds:
-                        yield row
+                held = {shape for shape in set(shapes) if kind in shape.facts(reading).kinds}
+                if held:
+                    yield from (piece.line + at for at, shape in enumerate(shapes, first) if shape in held)
 
     @cached_property
-    def closing_sign(self) -> int | None:
-        """The row of the second percent sign."""
+    def signs(self) -> tuple[int, ...]:
+        """The rows of the first two percent signs."""
         rows = (row for row in range(len(self.code)) if self.document.line(row).strip() == "%")
-        return next(islice(rows, 1, None), None)
+        return tuple(islice(rows, 2))
 
-    def skipped_returns(self, first: int, stop: int) -> list[int]:
-        """The returns between two rows, both excluded."""
-        if not self.returns:
-            return []
-        return self.returns[bisect_right(self.returns, first) : bisect_left(self.returns, stop)]
+    @cached_property
+    def is_framed(self) -> bool:
+        """Whether the first line that is not blank is a percent sign."""
+        return bool(self.signs) and not any(self.document.line(row).strip() for row in range(self.signs[0]))
 
     def errors(self, job: Job) -> dict[int, Finding]:
         """What a check of the file calls wrong, by row: a file that is called has not been checked before."""

@@ -32,6 +32,8 @@ class Values:
         self._row = row
         self._text = text
         self._near = TOLERANCE[state.job.settings["compare"]]
+        self._begun: set[str] = set()
+        """Names that are set further to the left on the line: the control has made them, without a value."""
 
     def value(self, part: Node | Token) -> Get:
         """What calculates a value."""
@@ -72,6 +74,7 @@ class Values:
         """What finds out, while the line is read, which parameter it sets; what that gives sets it when all is read."""
         name = self.name(param)
         if name is not None:
+            self._begun.add(name)
             return lambda: self._put_named(name, param)
         index = self._index(param)
         params = self._state.params
@@ -162,6 +165,8 @@ class Values:
             return lambda: 1.0 if 1 <= index() <= last else 0.0
         if self._state.machine.named(name) is not None:
             return lambda: 1.0
+        if name in self._begun:
+            return lambda: 1.0
         if name.startswith("_"):
             return lambda: 1.0 if name in self._state.globals else 0.0
         return lambda: 1.0 if name in self._state.locals else 0.0
@@ -206,10 +211,13 @@ class Values:
             return lambda: known(self._file, self._row, span)
         state = self._state
         is_global = name.startswith("_")
+        begun = name in self._begun
 
         def found() -> float:
             value = (state.globals if is_global else state.locals).get(name)
             if value is None:
+                if begun:
+                    return 0.0
                 raise self.halt("named-undefined", param, self._undefined(name))
             return value
 

@@ -12,16 +12,15 @@ from functools import cached_property
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
+from deburr.includes import Found
 from deburr.rule import Note
-from deburr.rules.metagcode._library import DEEPEST, Found, Library, is_plain
+from deburr.rules.metagcode._library import Library, is_plain
 from deburr.rules.metagcode._matching import ENDS, Matching, Meant, Pair, Visit, meant
 from deburr_grammar.dialect import Bracket, Role
+from deburr_grammar.dialects.metagcode.limits import DEEPEST, NESTED
 from deburr_grammar.dialects.metagcode.outline import SNIPPET, UNKNOWN
 from deburr_grammar.structure import Fault, Placed, StructureFault
 from deburr_grammar.text import Span
-
-NESTED = 200
-"""How deep blocks may be nested in the gathered text (`spec/metagcode.md` §7)."""
 
 
 @dataclass(frozen=True, slots=True)

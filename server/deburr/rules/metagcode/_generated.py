@@ -10,14 +10,14 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
+from deburr.arithmetic.metagcode import COMPARISONS
 from deburr.rule import Note
 from deburr.rules.metagcode._gathered import gathered
-from deburr.rules.metagcode._library import DEEPEST
 from deburr.rules.metagcode._variables import names_of
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.dialects.metagcode.forms import condition, counters, groups, is_numeric, name, number
+from deburr_grammar.dialects.metagcode.limits import DEEPEST
 from deburr_grammar.dialects.metagcode.outline import SNIPPET
-from deburr_grammar.dialects.metagcode.values import Value
 from deburr_grammar.document import Document
 from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
@@ -38,7 +38,7 @@ class Use(NamedTuple):
     related: tuple[Note, ...] = ()
 
 
-def undefined(analysis: Analysis, known: Mapping[str, Value]) -> Iterator[Use]:
+def undefined(analysis: Analysis, known: Mapping[str, str]) -> Iterator[Use]:
     """The references on lines that are surely generated; those of a snippet once for each name and `#FILE` line."""
     blocks = gathered(analysis)
     own = {each for piece in analysis.document.pieces() for each in names_of(piece.chunk)}
@@ -62,7 +62,7 @@ class _Inside(NamedTuple):
 class _Walk:
     """One way through the program and its snippets."""
 
-    def __init__(self, analysis: Analysis, known: Mapping[str, Value]) -> None:
+    def __init__(self, analysis: Analysis, known: Mapping[str, str]) -> None:
         self._document = analysis.document
         self._library = gathered(analysis).library
         self._known = known
@@ -132,11 +132,11 @@ class _Walk:
         left, right = self._value(node, items.left), self._value(node, items.right)
         if left is None or right is None:
             return None
-        operator = _said(node, items.operator).lower()
+        holds = COMPARISONS[_said(node, items.operator).lower()]
         if not is_numeric(_said(node, items.type)):
-            return _compared(operator, (left > right) - (left < right))
+            return holds(left, right)
         one, two = number(left), number(right)
-        return None if one is None or two is None else _compared(operator, (one > two) - (one < two))
+        return None if one is None or two is None else holds(one, two)
 
     def _passes(self, node: LineNode) -> bool | None:
         """Whether a loop has a pass; None where that is not known."""
@@ -156,14 +156,10 @@ class _Walk:
         if item.kind != "VARIABLE":
             return said
         value = self._known.get(name(said))
-        if value is None or name(said) in self._around[-1].counted or not _PROPER.fullmatch(value.text):
+        if value is None or name(said) in self._around[-1].counted or not _PROPER.fullmatch(value):
             return None
-        return value.text.strip(" \t")
+        return value.strip(" \t")
 
 
 def _said(node: LineNode, token: Token) -> str:
     return node.text[token.start : token.end]
-
-
-def _compared(operator: str, order: int) -> bool:
-    return {"greaterthan": order > 0, "lessthan": order < 0, "equalto": order == 0, "notequalto": order != 0}[operator]

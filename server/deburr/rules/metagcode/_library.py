@@ -4,27 +4,19 @@ Each file is asked for and read at most once in an analysis, and none that lies 
 snippets may (`spec/metagcode.md` §5.1).
 """
 
-import posixpath
-import re
 from collections.abc import Mapping, Sequence
 from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
-from deburr.host import NoFiles
+from deburr.includes import Folder, Found, leaves
 from deburr.rule import Note
 from deburr_grammar.dialect import Bracket, Dialect, Role
 from deburr_grammar.dialects.metagcode.forms import counters, names
+from deburr_grammar.dialects.metagcode.limits import DEEPEST, LARGEST
 from deburr_grammar.dialects.metagcode.outline import SNIPPET
 from deburr_grammar.document import Document
 from deburr_grammar.text import Span
-
-DEEPEST = 20
-"""The last legal depth of a snippet; the program itself is at 0."""
-LARGEST = 1 << 20
-"""Bytes that a snippet may have."""
-
-_DRIVE = re.compile(r"[A-Za-z]:")
 
 
 class Link(NamedTuple):
@@ -34,19 +26,6 @@ class Link(NamedTuple):
     line: int
     span: Span
     name: str
-
-
-class Found(NamedTuple):
-    """The file of a snippet's name. ``exact``: it is spelled like that in its folder."""
-
-    path: str
-    text: str
-    exact: bool
-
-    @property
-    def too_large(self) -> bool:
-        """Whether the file is larger than a snippet may be."""
-        return len(self.text) > LARGEST // 4 and len(self.text.encode("utf-8", "surrogatepass")) > LARGEST
 
 
 class Scan(NamedTuple):
@@ -59,11 +38,6 @@ class Scan(NamedTuple):
     names: frozenset[str]
 
 
-def leaves(name: str) -> bool:
-    """Whether a snippet's name points out of the folder of snippets: `..`, an absolute path, a drive letter."""
-    return name[:1] in ("/", "\\") or _DRIVE.match(name) is not None or ".." in map(str.strip, _split(name))
-
-
 def is_plain(name: str | None) -> bool:
     """Whether a name can be looked up at all; rules on lines report those that cannot."""
     return name is not None and "|" not in name and not leaves(name)
@@ -74,35 +48,32 @@ class Library:
 
     def __init__(self, analysis: Analysis) -> None:
         self._analysis = analysis
-        self._host = analysis.host
-        self._found: dict[tuple[str, ...], Found | None] = {}
+        self._folder = Folder(analysis.host, analysis.file, str(analysis.settings["snippets-dir"]))
         self._texts: dict[str, str] = {}
-        self._folders: dict[str, Sequence[str]] = {}
         self._longest: dict[tuple[str, int], tuple[Link, ...]] = {}
         self._ways: dict[str, Mapping[str, tuple[Link, ...]]] = {}
         self.file = analysis.file
-        self.silent = isinstance(analysis.host, NoFiles)
+        self.silent = self._folder.silent
         """Whether nothing is known of any file, so that nothing can be missed."""
-        self.inside = False
+        self.inside = self._folder.inside
         """Whether the program is itself a snippet."""
-        self.root = self._find_root(str(analysis.settings["snippets-dir"]).replace("\\", "/"))
+        self.root = self._folder.root
 
     def find(self, name: str) -> Found | None:
         """The file of a plain name; None if there is none, or several that differ from it in case only."""
-        key = tuple(part for part in _split(name) if part not in ("", "."))
-        if key not in self._found:
-            self._found[key] = self._look_up(key)
-        return self._found[key]
+        found = self._folder.find(name)
+        if found is not None:
+            self._texts[found.path] = found.text
+        return found
 
     def near(self, name: str) -> Sequence[str]:
         """The names in the folder in which a name is looked for."""
-        *folders, _ = _split(name)
-        return self._names(_joined(self.root, *folders))
+        return self._folder.near(name)
 
     def target(self, bracket: Bracket) -> str | None:
         """The file that a `#FILE` line stands for; None if it is not to be had."""
         found = self.find(bracket.label) if bracket.label is not None and is_plain(bracket.label) else None
-        return found.path if found is not None and not found.too_large else None
+        return found.path if found is not None and not found.larger(LARGEST) else None
 
     def scan(self, path: str) -> Scan:
         """What is in a file that was found, or in the program itself."""
@@ -162,64 +133,6 @@ class Library:
                         level.append(target)
             self._ways[start] = ways
         return self._ways[start]
-
-    def _look_up(self, parts: tuple[str, ...]) -> Found | None:
-        folder, exact = self.root, True
-        if self.silent or not parts or "\0" in "".join(parts):
-            return None
-        for part in parts:
-            spelled = _spelled(part, self._names(folder))
-            if spelled is None:
-                return None
-            folder, exact = _joined(folder, spelled), exact and spelled == part
-        text = self._host.read(folder)
-        if text is None:
-            return None
-        self._texts[folder] = text.removeprefix("\ufeff")
-        return Found(folder, self._texts[folder], exact)
-
-    def _names(self, folder: str) -> Sequence[str]:
-        if folder not in self._folders:
-            self._folders[folder] = self._host.names(folder)
-        return self._folders[folder]
-
-    def _find_root(self, setting: str) -> str:
-        """The folder of snippets: that in which the program lies, if it is a snippet itself, or one beside the program."""
-        if setting.startswith("/") or _DRIVE.match(setting):
-            root = setting.rstrip("/")
-            self.inside = self.file.startswith(f"{root}/")
-            return root
-        folder = posixpath.dirname(self.file)
-        beside = _joined(folder, setting)
-        parts, tail = folder.split("/"), [part for part in setting.split("/") if part not in ("", ".", "..")]
-        for stop in range(len(parts), len(tail) - 1, -1) if tail else ():
-            if parts[stop - len(tail) : stop] == tail and not self._names(beside):
-                self.inside = True
-                return "/".join(parts[:stop])
-        return beside
-
-
-def _split(name: str) -> list[str]:
-    return name.replace("\\", "/").split("/")
-
-
-def _joined(folder: str, *more: str) -> str:
-    """A path below a folder, without `.`, and without `..` where it can be undone; the folder is left as it is written."""
-    parts = [] if folder in ("", ".") else folder.rstrip("/").split("/")
-    for part in "/".join(more).split("/"):
-        if part == ".." and parts and parts[-1] not in ("", ".."):
-            parts.pop()
-        elif part not in ("", "."):
-            parts.append(part)
-    return "/".join(parts) or "."
-
-
-def _spelled(name: str, present: Sequence[str]) -> str | None:
-    """A name as it is spelled in a folder, its case disregarded only if that leaves no choice."""
-    if name in present:
-        return name
-    alike = [each for each in present if each.casefold() == name.casefold()]
-    return alike[0] if len(alike) == 1 else None
 
 
 @lru_cache(maxsize=64)

@@ -7,14 +7,13 @@ from typing import NamedTuple
 
 from deburr.analysis import Analysis
 from deburr.host import NoFiles
+from deburr.includes import beside
 from deburr.rule import Note
 from deburr.rules.metagcode._gathered import Gathered, gathered
 from deburr_grammar.chunk import Chunk
 from deburr_grammar.dialects.metagcode.forms import names
 from deburr_grammar.dialects.metagcode.values import Value, Values, read_values
 from deburr_grammar.text import Span
-
-_ABSOLUTE = re.compile(r"/|[A-Za-z]:")
 
 
 class Configured(NamedTuple):
@@ -32,6 +31,11 @@ class Configured(NamedTuple):
     def known(self) -> Mapping[str, Value]:
         """The values by their names."""
         return self.read.known if self.read is not None else {}
+
+    def given(self, define: Mapping[str, str]) -> Mapping[str, str]:
+        """The values by their names, those that are given by name before those of the file."""
+        named = {name.strip(" \t"): text for name, text in define.items()}
+        return {name: value.text for name, value in self.known.items()} | named
 
 
 class Bad(NamedTuple):
@@ -81,11 +85,10 @@ def names_of(chunk: Chunk) -> Mapping[str, list[int]]:
 
 
 def _configured(analysis: Analysis) -> Configured | None:
-    setting = str(analysis.settings["variables"]).replace("\\", "/")
+    setting = str(analysis.settings["variables"])
     if not setting or isinstance(analysis.host, NoFiles) or gathered(analysis).library.inside:
         return None
-    beside = posixpath.normpath(posixpath.join(posixpath.dirname(analysis.file), setting))
-    path = setting if _ABSOLUTE.match(setting) else beside
+    path = beside(analysis.file, setting)
     text = analysis.host.read(path)
     return Configured(path, None if text is None else read_values(text, path))
 

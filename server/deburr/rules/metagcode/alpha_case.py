@@ -12,10 +12,26 @@ Bad:
          ^^^^^^^^^^^^^^^^^^^
     #ENDIF1
 
-Good:
+Bad (variables=part.vars):
 
     #IF1 |Mat| EqualTo Steel a
+         ^^^^^^^^^^^^^^^^^^^
+    S800
     #ENDIF1
+    -- part.vars --
+    Mat=STEEL
+
+Good (variables=part.vars):
+
+    #IF1 |Mat| EqualTo Steel a
+    S800
+    #ENDIF1
+    #IF1 |Coolant| EqualTo flood a
+    M8
+    #ENDIF1
+    -- part.vars --
+    Mat=Steel
+    Coolant=mist
 """
 
 from collections.abc import Iterator

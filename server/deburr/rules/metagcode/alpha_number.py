@@ -11,6 +11,15 @@ Bad:
          ^^^^^^^^^^^^^^^^
     #ENDIF1
 
+Bad (variables=part.vars):
+
+    #IF1 |Dia| lessthan 10 a
+         ^^^^^^^^^^^^^^^^^
+    S3000
+    #ENDIF1
+    -- part.vars --
+    Dia=9.5
+
 Good:
 
     #IF1 9 greaterthan 10 n

@@ -26,8 +26,8 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.includes import leaves
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.metagcode._library import leaves
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 

@@ -36,8 +36,9 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import NESTED, Foreign, gathered, said
+from deburr.rules.metagcode._gathered import Foreign, gathered, said
 from deburr_grammar.dialect import Role
+from deburr_grammar.dialects.metagcode.limits import NESTED
 from deburr_grammar.structure import Placed
 
 

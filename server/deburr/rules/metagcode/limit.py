@@ -1,8 +1,9 @@
 """Text that grows beyond a limit.
 
 Blocks may be nested 200 deep in the text with all its snippets put in, a snippet may have 1 MiB,
-and that text 1,000,000 lines. No real program comes near; a chain of snippets that include each
-other several times does.
+and that text 1,000,000 lines; a loop may make 100,000 passes, and all together 1,000,000. No real
+program comes near; a chain of snippets that include each other several times does, or a step that
+is a thousand times too small.
 
 Source: spec/metagcode.md §6, §7, §10
 
@@ -35,6 +36,15 @@ Bad:
     -- Snippets/d.txt --
     #IF1 |a| equalto 1 n
 
+Bad (variables=part.vars):
+
+    #LOOP1 |Depth| .001 c
+           ^^^^^^^
+    G1 Z-|Depth|
+    #ENDLOOP1
+    -- part.vars --
+    Depth=1000000000
+
 Good:
 
     #IF1 |a| equalto 1 n
@@ -48,14 +58,11 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import NESTED, Foreign, Gathered, gathered
-from deburr.rules.metagcode._library import LARGEST
+from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered
 from deburr_grammar.dialect import Role
+from deburr_grammar.dialects.metagcode.limits import LARGEST, LINES, NESTED
 from deburr_grammar.dialects.metagcode.outline import SNIPPET
 from deburr_grammar.text import Span
-
-LINES = 1_000_000
-"""Lines that the gathered text may have."""
 
 
 @rule(Severity.ERROR, Whole())
@@ -79,7 +86,7 @@ def _nested(blocks: Gathered) -> Iterator[Report]:
 
 def _large(blocks: Gathered) -> Iterator[Report]:
     for line, span, name, found in blocks.named:
-        if found is not None and found.too_large:
+        if found is not None and found.larger(LARGEST):
             yield Report(span, f"`{name}` has more than {LARGEST:,} bytes, which is refused for a snippet", line)
 
 

@@ -11,6 +11,16 @@ Bad:
                ^^
     #ENDLOOP1
 
+Bad (variables=part.vars):
+
+    #LOOP1 |Depth| |Step| c
+                   ^^^^^^
+    G1 Z-|Depth|
+    #ENDLOOP1
+    -- part.vars --
+    Depth=6
+    Step=-2
+
 Good:
 
     #LOOP1 |z| +2 c

@@ -15,6 +15,16 @@ Bad:
     G0 X|x| Z|z|
     #ENDLOOP1
 
+Bad (variables=part.vars):
+
+    #LOOP1 |Depth| |Step| c
+                   ^^^^^^
+    G1 Z-|Depth|
+    #ENDLOOP1
+    -- part.vars --
+    Depth=0
+    Step=0.0
+
 Good:
 
     #LOOP1 |z| 0.01 c

@@ -43,9 +43,10 @@ from collections.abc import Iterator, Sequence
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import NESTED, Foreign, Gathered, gathered
+from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.metagcode.forms import counters
+from deburr_grammar.dialects.metagcode.limits import NESTED
 from deburr_grammar.dialects.metagcode.outline import SNIPPET
 from deburr_grammar.structure import Placed
 from deburr_grammar.text import Span

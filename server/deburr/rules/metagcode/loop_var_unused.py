@@ -37,10 +37,11 @@ from itertools import islice
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import NESTED, Foreign, Gathered, gathered
+from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered
 from deburr.rules.metagcode._variables import names_of
 from deburr.rules.metagcode._words import nearest
 from deburr_grammar.dialects.metagcode.forms import counters
+from deburr_grammar.dialects.metagcode.limits import NESTED
 from deburr_grammar.document import Document
 from deburr_grammar.text import Span
 

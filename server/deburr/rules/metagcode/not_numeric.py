@@ -1,8 +1,8 @@
 """Comparison or step by something that is no number.
 
 A numeric comparison and a loop calculate, so their values must be plain decimal numbers: digits, a
-point, a sign. There is no exponent and no decimal comma. Here the value is written in the program,
-so the line fails on every run.
+point, a sign. There is no exponent and no decimal comma. A value that is written in the program
+fails on every run, one that a variable has on the run that reaches the line.
 
 Source: spec/metagcode.md §5.3, §6, §10
 
@@ -23,6 +23,30 @@ Bad:
     G0 Z|z|
     #ENDLOOP1
 
+Bad (variables=part.vars):
+
+    #IF1 |Cut| equalto no a
+    #LOOP1 |Depth| |Step| c
+                   ^^^^^^
+    G1 Z-|Depth|
+    #ENDLOOP1
+    #ENDIF1
+    -- part.vars --
+    Cut=no
+    Depth=6
+    Step=1,5
+
+Good (variables=part.vars):
+
+    #IF1 |Cut| equalto yes a
+    #LOOP1 |Depth| 2 c
+    G1 Z-|Depth|
+    #ENDLOOP1
+    #ENDIF1
+    -- part.vars --
+    Cut=no
+    Depth=none
+
 Good:
 
     #IF1 |Mat| equalto Steel a
@@ -31,19 +55,15 @@ Good:
     #ENDIF1
 """
 
-import re
 from collections.abc import Iterator
-from decimal import Decimal
 
+from deburr.arithmetic.metagcode import number_meant
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._items import changed_places
 from deburr.rules.metagcode._words import OPERATORS
 from deburr_grammar.dialects.metagcode.forms import condition, groups, is_numeric, number
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
-
-_LED = re.compile(r"[+-]?[0-9]*[.,]?[0-9]+(?=[A-Za-z\"']*$)")
-_POWER = re.compile(r"[+-]?[0-9]+(?:\.[0-9]*)?[eE][+-]?[0-9]{1,2}")
 
 
 @rule(Severity.ERROR, Nodes(("condition", "header"), by_shape=True))
@@ -53,17 +73,8 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     for value in _values(line, node):
         said = line.said(value)
         if value.kind != "VARIABLE" and number(said) is None:
-            message = f"`{said}` is no number, so there is nothing to calculate with{_hint(said) or text}"
+            message = f"`{said}` is no number, so there is nothing to calculate with{number_meant(said) or text}"
             yield Report(Span(value.start, value.end), message)
-
-
-def _hint(said: str) -> str:
-    """The number that is meant, as it should be written."""
-    if _POWER.fullmatch(said):
-        return f"; there is no exponent, write `{Decimal(said):f}`"
-    led = _LED.match(said)
-    meant = led[0].replace(",", ".") if led else ""
-    return f"; did you mean `{meant}`?" if number(meant) is not None else ""
 
 
 def _values(line: Line, node: Node) -> list[Token]:

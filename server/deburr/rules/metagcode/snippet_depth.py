@@ -67,7 +67,7 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import gathered
-from deburr.rules.metagcode._library import DEEPEST
+from deburr_grammar.dialects.metagcode.limits import DEEPEST
 
 
 @rule(Severity.ERROR, Whole())

@@ -62,15 +62,16 @@ from deburr.rules.metagcode._variables import configured
 from deburr.rules.metagcode._words import HINTED, nearest
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(), input=True)
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report each use. Where the file itself is at fault, that is said instead."""
     found = configured(analysis)
     if found is None or found.read is None or not found.read.whole:
         return
     hints: dict[str, str] = {}
-    for use in undefined(analysis, found.known):
+    known = found.given(analysis.inputs.define)
+    for use in undefined(analysis, known):
         if use.name not in hints and len(hints) < HINTED:
-            hints[use.name] = nearest(use.name, found.known)
+            hints[use.name] = nearest(use.name, known)
         message = f"`|{use.name}|` has no value in `{found.name}`{hints.get(use.name, '')}"
         yield Report(use.span, message, use.line, use.related)

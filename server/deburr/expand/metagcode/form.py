@@ -9,19 +9,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 
-from deburr.expand._metagcode_gather import Gathered, Place
-from deburr.expand._metagcode_lines import Directive
 from deburr.expand.job import SLICE
+from deburr.expand.metagcode.gather import Gathered, Place
+from deburr.expand.metagcode.lines import Directive
 from deburr.fault import Fault
 from deburr.finding import Severity
 from deburr.rule import Nodes, Report, Rule, Syntax, Text
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialect import Bracket, Role
+from deburr_grammar.dialects.metagcode.limits import NESTED
 from deburr_grammar.document import Piece
 from deburr_grammar.text import with_newlines
 
-NESTED = 200
-"""How deep blocks may be nested in the gathered text."""
+CROSSES = "block-crosses-file"
+"""What is met where one program opens a block and a later one closes it: a warning, unlike all else."""
 
 
 def line_faults(reached: Place, ruleset: RuleSet) -> Iterator[Fault | None]:
@@ -53,13 +54,24 @@ def tie(gathered: Gathered) -> Iterator[Fault | None]:
         elif not blocks:
             yield _fault("block-unopened", gathered, at, f"`{step.said}` closes nothing: no block is open here")
         else:
-            other, opener = blocks.pop()
+            other, _ = blocks.pop()
             gathered.partners[at], gathered.partners[other] = other, at
-            if not _tied(opener.bracket, step.bracket):
-                message = f"`{step.said}` cannot close `{opener.said}`, the innermost open block"
-                yield _fault("block-mismatch", gathered, at, message)
+            if (fault := _ill_matched(gathered, other, at)) is not None:
+                yield fault
     for at, step in blocks:
         yield _fault("block-unclosed", gathered, at, f"`{step.said}` is never closed")
+
+
+def _ill_matched(gathered: Gathered, first: int, last: int) -> Fault | None:
+    """What is wrong with the two ends of a block."""
+    opener, closer = _directive(gathered, first), _directive(gathered, last)
+    if not _tied(opener.bracket, closer.bracket):
+        message = f"`{closer.said}` cannot close `{opener.said}`, the innermost open block"
+        return _fault("block-mismatch", gathered, last, message)
+    if opener.text is closer.text or gathered.places[first].program is gathered.places[last].program:
+        return None
+    message = f"the block `{opener.said}` is opened in one program and closed in another; neither can be read by itself"
+    return _fault(CROSSES, gathered, last, message)
 
 
 @lru_cache(maxsize=8)
@@ -92,6 +104,11 @@ def _tied(opener: Bracket, closer: Bracket) -> bool:
 
 
 def _fault(kind: str, gathered: Gathered, at: int, message: str) -> Fault:
+    step = _directive(gathered, at)
+    return Fault(kind, step.text.file, step.row, step.bracket.span, message, gathered.places[at].stack)
+
+
+def _directive(gathered: Gathered, at: int) -> Directive:
     step = gathered.steps[at]
     assert isinstance(step, Directive)
-    return Fault(kind, step.text.file, step.row, step.bracket.span, message, gathered.places[at].stack)
+    return step

@@ -12,22 +12,16 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from deburr.expand._metagcode_lines import Directive, Stretch, Text
 from deburr.expand.job import SLICE, Job
+from deburr.expand.metagcode.lines import Directive, Stretch, Text
 from deburr.fault import Entered, Fault, Frame
 from deburr.includes import Folder, leaves
 from deburr.suggest import suggestion
 from deburr_grammar.dialect import Dialect, Role
+from deburr_grammar.dialects.metagcode.limits import DEEPEST, LARGEST, LINES
 from deburr_grammar.dialects.metagcode.outline import SNIPPET
 from deburr_grammar.document import Document
 from deburr_grammar.text import Span
-
-DEEPEST = 20
-"""The last legal depth of a snippet; the program itself is at 0."""
-LARGEST = 1 << 20
-"""Bytes that a snippet may have."""
-LINES = 1_000_000
-"""Lines that the gathered text may have."""
 
 
 class Include(NamedTuple):
@@ -93,6 +87,12 @@ class Place:
         while place is not None:
             yield place
             place = place.outer
+
+    @property
+    def program(self) -> Source:
+        """The program that it belongs to."""
+        *_, outermost = self.way
+        return outermost.source
 
     @property
     def include(self) -> Include:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.arithmetic.metagcode import COMPARISONS
@@ -144,12 +145,14 @@ def _filled(line: str) -> tuple[str, ...]:
     return tuple(pieces)
 
 
+@lru_cache(maxsize=4096)
 def _condition(line: LineNode) -> Condition:
     left, operator, right, type_ = condition(next(line.find("condition")))
     holds = COMPARISONS[line.text[operator.start : operator.end].lower()]
     return Condition(_item(line, left), holds, _item(line, right), is_numeric(line.text[type_.start : type_.end]))
 
 
+@lru_cache(maxsize=4096)
 def _counters(line: LineNode) -> tuple[Counter, ...]:
     return tuple(
         Counter(_item(line, group.counter), _item(line, group.step), line.text[group.mode.start] in "rR")

@@ -5,24 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple, NoReturn
 
-from deburr.arithmetic.metagcode import DECIMALS, MOST_DECIMALS, Counted, passes
-from deburr.expand._metagcode_lines import Condition, Counter, Directive, Item
+from deburr.arithmetic.metagcode import DECIMALS, MOST_DECIMALS, Counted, number_meant, passes
+from deburr.expand.metagcode.lines import Condition, Counter, Directive, Item
 from deburr.fault import Entered, Fault, Frame, Halt
 from deburr.suggest import suggestion
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.metagcode.forms import names, number
+from deburr_grammar.dialects.metagcode.limits import ALL_PASSES, PASSES
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from decimal import Decimal
 
-    from deburr.expand._metagcode_gather import Gathered, Place
     from deburr.expand.job import Job
+    from deburr.expand.metagcode.gather import Gathered, Place
 
-PASSES = 100_000
-"""Passes that one loop may make."""
-ALL_PASSES = 1_000_000
-"""Passes that all loops together may make."""
 _LONG = 60
 _VAST = 10**15
 
@@ -35,20 +32,33 @@ class Quantity(NamedTuple):
     value: Decimal
 
 
+class Length(NamedTuple):
+    """How long a loop is for one of its variables."""
+
+    counter: Counter
+    total: Quantity
+    size: Quantity
+    passes: int
+
+
 class Loop:
-    """A loop that is under way."""
+    """A loop that is under way: its head's step, the frame around it, what it counts, and what its variables are behind it."""
 
     __slots__ = ("count", "counters", "frame", "frames", "head", "number", "outer", "saved")
 
-    def __init__(self, head: int, outer: Frame | None, count: int, counters: dict[str, Counted]) -> None:
+    def __init__(
+        self, head: int, outer: Frame | None, count: int, counters: dict[str, Counted], saved: dict[str, str]
+    ) -> None:
         self.head = head
         self.outer = outer
         self.count = count
         self.counters = counters
+        self.saved = saved
         self.number = 0
-        self.saved: dict[str, str] = {}
-        self.frame: Frame | None = outer
+        """The pass, counted from 1."""
+        self.frame: Frame | None = None
         self.frames: dict[Place, Frame] = {}
+        """The frames of the snippets in this pass."""
 
 
 class Run:
@@ -139,38 +149,25 @@ class Run:
 
     def _enter(self, at: int, step: Directive) -> int:
         """Begin a loop, or pass over it if it has no pass."""
-        totals = [(counter, *self._sizes(at, step, counter)) for counter in step.counters]
-        count, counter, total, size = 0, *totals[0]
-        for each, length, greatest in totals:
-            found = passes(length.value, greatest.value)
-            if found > count:
-                count, counter, total, size = found, each, length, greatest
-        if not count:
-            self._meet(
-                "loop-zero",
-                at,
-                step.row,
-                counter.total.span,
-                f"{_here(total)}, so the loop has no pass and its lines are left out",
-            )
+        counted = [self._length(at, step, counter) for counter in step.counters]
+        longest = max(counted, key=lambda each: each.passes)
+        if not longest.passes:
+            message = f"{_here(longest.total)}, so the loop has no pass and its lines are left out"
+            self._meet("loop-zero", at, step.row, longest.counter.total.span, message)
             return self._gathered.partners[at] + 1
-        if count > PASSES:
-            said = f"{count:,}" if count < _VAST else "far more"
-            message = f"{_here(total)}; in steps of at most {_short(size.text)} that is {said} passes, and a loop may make {PASSES:,}"
-            self._halt("limit", at, step.row, counter.total.span, message)
-        outer = self._frame(at)
+        if longest.passes > PASSES:
+            self._halt("limit", at, step.row, longest.counter.total.span, _too_many(longest))
         counters = {
-            counter.total.said: Counted(length.value, count, self._decimals, counter.relative)
-            for counter, length, _ in totals
+            each.counter.total.said: Counted(each.total.value, longest.passes, self._decimals, each.counter.relative)
+            for each in counted
         }
-        loop = Loop(at, outer, count, counters)
-        loop.saved = {name: self._values[name] for name in counters}
+        saved = {name: self._values[name] for name in counters}
+        loop = Loop(at, self._frame(at), longest.passes, counters, saved)
         self._loops.append(loop)
         self._pass(loop)
         return at + 1
 
-    def _sizes(self, at: int, step: Directive, counter: Counter) -> tuple[Quantity, Quantity]:
-        """The total of a loop variable and its maxStep."""
+    def _length(self, at: int, step: Directive, counter: Counter) -> Length:
         total, size = self._number(at, step, counter.total), self._number(at, step, counter.step)
         if not size.value:
             message = f"{_here(size)}; a step of 0 never reaches the total, and the number of passes would be a division by zero"
@@ -178,7 +175,7 @@ class Run:
         if size.value < 0 and counter.step.is_name:
             message = f"{_here(size)}; the sign is ignored, the direction is that of `|{counter.total.said}|`"
             self._meet("loop-step-negative", at, step.row, counter.step.span, message)
-        return total, size
+        return Length(counter, total, size, passes(total.value, size.value))
 
     def _again(self, end: int) -> int:
         """At the end of a loop: its next pass, or what follows it."""
@@ -229,9 +226,7 @@ class Run:
         text = self._text(at, step, item)
         value = number(text) if item.number is None else item.number
         if value is None:
-            message = (
-                f"`|{item.said}|` is {_short(text)} here, which is no number, so there is nothing to calculate with"
-            )
+            message = f"`|{item.said}|` is {_short(text)} here, which is no number, so there is nothing to calculate with{number_meant(text)}"
             self._halt("not-numeric", at, step.row, item.span, message)
         return Quantity(item, text, value)
 
@@ -256,6 +251,12 @@ def _here(quantity: Quantity) -> str:
     """A value in words."""
     text = _short(quantity.text)
     return f"`|{quantity.item.said}|` is {text} here" if quantity.item.is_name else f"the value is {text}"
+
+
+def _too_many(length: Length) -> str:
+    said = f"{length.passes:,}" if length.passes <= _VAST else f"more than {_VAST:,}"
+    steps = f"in steps of at most {_short(length.size.text)} that is {said} passes"
+    return f"{_here(length.total)}; {steps}, and a loop may make {PASSES:,}"
 
 
 def _short(text: str) -> str:

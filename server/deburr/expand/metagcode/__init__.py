@@ -1,0 +1,8 @@
+"""The interpreter of MetaGCODE: `run`."""
+
+from deburr.expand.metagcode.phases import run, worth_running
+
+__all__ = ["CHECKS", "run", "worth_running"]
+
+CHECKS = True
+"""Test steps hang together only when they are joined, so a run looks for all faults of form itself."""

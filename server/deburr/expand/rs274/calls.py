@@ -1,0 +1,245 @@
+"""Subprograms, calls and returns as closures (spec/rs274.md §6). Knows no loop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from deburr.expand.rs274.files import loaded
+from deburr.expand.rs274.parts import condition
+from deburr.expand.rs274.state import ARGUMENTS, ENDLESS, Activation
+from deburr.expand.rs274.unit import ELSEWHERE, END, Op, Unit
+from deburr.fault import Entered, Frame, Halt
+from deburr.suggest import suggestion
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from deburr.expand.rs274.lines import Line
+    from deburr.expand.rs274.parts import Parts
+    from deburr.expand.rs274.run import Run
+    from deburr.expand.rs274.values import Get
+
+DEEPEST = 9
+"""Calls that may be active at once (spec/rs274.md §6)."""
+Start = tuple[Unit, int]
+"""Where a subprogram starts."""
+
+
+class Calls:
+    """The calls of one run."""
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+        self._state = run.state
+        self._units: dict[str, Unit | None] = {}
+        self._known: dict[str, Start] = {}
+        """What was passed or found, by label; whatever its file, the first counts."""
+
+    def sub(self, unit: Unit, row: int, parts: Parts) -> Op:
+        """A definition in the way is passed over and known from then on."""
+        state, behind = self._state, unit.ends[row] + 1
+        values = [(at, condition(state, unit, at)) for at in unit.returns[row]]
+        given = bool(values) and values[-1][1] is not None and values[-1][0] == behind - 1
+
+        def passed() -> int:
+            self._define(unit, row, parts)
+            value = 0.0
+            for _, calculate in values:
+                value = _calculated(calculate)
+            if values:
+                state.value, state.value_returned = value, float(given)
+            return behind
+
+        return passed
+
+    def back(self, unit: Unit, row: int, parts: Parts) -> Op:
+        """`endsub` and `return`."""
+        value, state = parts.value, self._state
+
+        def returned() -> int:
+            if not state.calls:
+                message = f"`{parts.said}` is met in no subprogram; the control stops here"
+                raise state.fault("sub-outside", unit.file, row, parts.span, message)
+            state.value, state.value_returned = (value(), 1.0) if value is not None else (0.0, 0.0)
+            return self._return(unit, row)
+
+        return returned
+
+    def call(self, unit: Unit, row: int, parts: Parts) -> Op:
+        """A call with its arguments."""
+        arguments, label, state, span = parts.arguments, parts.label, self._state, parts.span
+        if len(arguments) > ARGUMENTS:
+            message = f"{len(arguments)} arguments; a subprogram takes at most {ARGUMENTS}"
+            raise state.fault("sub-arguments", unit.file, row, span, message)
+        rest = [0.0] * (ARGUMENTS - len(arguments))
+
+        def called() -> int:
+            values = [get() for get in arguments]
+            self._activate(unit, row, span, len(values))
+            target, start = self._found(label(), unit, row, span)
+            state.params[1 : ARGUMENTS + 1] = values + rest
+            self._run.unit, self._run.row = target, start + 1
+            return ELSEWHERE
+
+        return called
+
+    def numbered_call(self, unit: Unit, row: int, line: Line) -> Op:
+        """`M98 Pn Ln`: a program that shares its caller's #1 to #30. Nothing else on the line is heeded."""
+        span, state = Span(0, len(line.node.text.rstrip())), self._state
+        program, times = self._integer(line, "P"), self._integer(line, "L")
+        if not line.begins_with("M98"):
+            message = "behind other words the control knows no `M98`; it must come first on its line"
+            raise state.fault("m-unknown", unit.file, row, span, message)
+
+        def called() -> int:
+            if program is None:
+                raise state.fault("word-missing", unit.file, row, span, "`M98` calls nothing without a P word")
+            count = times() if times is not None else 1
+            if count == 0:
+                return row + 1
+            self._activate(unit, row, span, 0)
+            target, start = self._numbered(str(program()), unit, row, span)
+            state.calls[-1].again = (target, start, max(count, 1) - 1)
+            self._run.unit, self._run.row = target, start + 1
+            return ELSEWHERE
+
+        return called
+
+    def numbered_end(self, unit: Unit, row: int, line: Line, alone: Op) -> Op:
+        """`M99`: back, or once more. ``alone``: what it does where nothing was called."""
+        state, clear = self._state, line.begins_with("M99") and len(line.words) == 1 and not line.settings
+        span = Span(0, len(line.node.text.rstrip()))
+
+        def ended() -> int:
+            if not state.calls:
+                return alone()
+            if not clear:
+                message = "the control stops at an `M99` that shares its line with other words"
+                raise state.fault("word-conflict", unit.file, row, span, message)
+            again = state.calls[-1].again
+            if again is not None and again[2]:
+                target, start, left = again
+                state.calls[-1].again = (target, start, left - 1)
+                state.locals = {}
+                self._run.unit, self._run.row = target, start + 1
+                return ELSEWHERE
+            return self._return(unit, row)
+
+        return ended
+
+    def _integer(self, line: Line, letter: str) -> Callable[[], int] | None:
+        word = next((word for word in line.words if word.letter == letter), None)
+        return line.values.integer(word.part) if word is not None else None
+
+    def _define(self, unit: Unit, row: int, parts: Parts) -> None:
+        label, state = parts.label(), self._state
+        if state.calls:
+            message = f"`{parts.said}` is met while a subprogram runs; definitions do not nest"
+            raise state.fault("sub-nested", unit.file, row, parts.span, message)
+        known = self._known.setdefault(label, (unit, row))
+        if known != (unit, row):
+            message = f"`{parts.said}` defines a subprogram a second time; the control refuses it"
+            raise state.fault("sub-redefined", unit.file, row, parts.span, message)
+        if row in unit.passed:
+            message = f"`{parts.said}` is met when it is already known, by a call from above or in a second pass of a loop; the control stops here"
+            raise state.fault("sub-before-definition", unit.file, row, parts.span, message)
+        unit.passed.add(row)
+
+    def _return(self, unit: Unit, row: int) -> int:
+        state = self._state
+        for loop in state.loops:
+            if loop.left != ENDLESS:
+                state.leaks.counters[unit.file, loop.first] = loop.left
+        if state.saved is not None and state.saved.by_return:
+            self._run.restore(unit, row, state.saved)
+        call = state.calls.pop()
+        if call.again is None:
+            state.params[1 : ARGUMENTS + 1] = call.arguments
+        state.locals = call.locals
+        state.loops, state.frame, state.saved = call.loops, call.frame, call.saved
+        self._run.unit, self._run.row = call.unit, call.row + 1
+        return ELSEWHERE
+
+    def _activate(self, unit: Unit, row: int, span: Span, count: int) -> None:
+        state = self._state
+        if len(state.calls) >= DEEPEST:
+            message = f"{DEEPEST} calls are active already; the control takes no more"
+            raise state.fault("sub-depth", unit.file, row, span, message)
+        state.calls.append(Activation(unit, row, state))
+        state.locals, state.loops, state.saved = {}, [], None
+        state.frame = Frame(state.frame, unit.file, row, Entered.CALL, count)
+
+    def _found(self, label: str, unit: Unit, row: int, span: Span) -> Start:
+        """The subprogram of a label: one that is known, that of a file of its name, or one further down in this file."""
+        found = self._known.get(label)
+        if found is None:
+            found = self._in_file(label, unit, row, span)
+            start = unit.sub_behind(label, row) if found is None else None
+            if start is not None:
+                found = unit, start
+            if found is None:
+                message = f"there is no subprogram `o<{label}>`, neither further down nor in a file `{label}.ngc`"
+                message += suggestion(label, {*self._known, *unit.subs} - {label})
+                raise self._state.fault("sub-unknown", unit.file, row, span, message)
+            self._know(label, *found)
+        self._sound(*found)
+        return found
+
+    def _know(self, label: str, unit: Unit, row: int) -> None:
+        self._known[label] = unit, row
+        unit.passed.add(row)
+
+    def _in_file(self, label: str, unit: Unit, row: int, span: Span) -> Start | None:
+        """The subprogram in the file of its name; None if there is no such file."""
+        file = self.load(label)
+        if file is None:
+            return None
+        start = file.sub_behind(label, -1)
+        why = f"has no `o<{label}> sub`" if start is None else ""
+        if file.is_framed and self._run.main.is_framed:
+            why = "starts with `%`, as the program does, and nothing is found in it"
+        if start is None or why:
+            raise self._state.fault("sub-file", unit.file, row, span, f"the file `{file.file}` {why}")
+        return file, start
+
+    def _numbered(self, label: str, unit: Unit, row: int, span: Span) -> Start:
+        """The program that M98 means: one that is known, in a file of its number, or further down."""
+        found = self._known.get(label)
+        if found is None:
+            target, above = self.load(label) or unit, row
+            if target is not unit:
+                above = -1
+            start = target.numbered_behind(label, above)
+            if start is None:
+                message = f"there is no program `O{label}`, neither further down nor in a file `{label}.ngc`"
+                raise self._state.fault("sub-unknown", unit.file, row, span, message)
+            found = self._known[label] = target, start
+        return found
+
+    def load(self, label: str) -> Unit | None:
+        """The file of a label, read when it is first asked for."""
+        if label not in self._units:
+            self._units[label] = loaded(self._run.job, label)
+        return self._units[label]
+
+    def _sound(self, unit: Unit, row: int) -> None:
+        """Stop where a subprogram in another file is wrong as it stands; the program itself has been checked before."""
+        if unit is self._run.main:
+            return
+        for at, finding in unit.errors(self._run.job).items():
+            if row <= at <= unit.ends.get(row, row):
+                place, kind = finding.place, finding.rule.partition(".")[2]
+                span = Span(place.col, place.end_col)
+                raise self._state.fault(kind, unit.file, at, span, finding.message)
+
+
+def _calculated(calculate: Get | None) -> float:
+    """What `endsub` gives where it is passed over: names that do not exist there are no fault."""
+    if calculate is None:
+        return 0.0
+    try:
+        return calculate()
+    except Halt as halt:
+        if halt.fault.kind != "named-undefined":
+            raise
+        return 0.0

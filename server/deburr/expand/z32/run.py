@@ -1,0 +1,131 @@
+"""Z32 programs run to flat G-code (spec/z32.md §6): the loop that calls compiled lines. Values, blocks, fields and flow have files of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from deburr.expand.z32.blocks import Block, copied, optional, undecided
+from deburr.expand.z32.fields import advanced
+from deburr.expand.z32.flow import Flow
+from deburr.expand.z32.form import faults, refuse
+from deburr.expand.z32.plain import plain_of
+from deburr.expand.z32.setup import first_values
+from deburr.expand.z32.state import ELSEWHERE, END, Place, State
+from deburr.expand.z32.unit import Op, Unit
+from deburr.expand.z32.values import Values
+from deburr.fault import Entered, Fault, Halt
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from deburr.expand.job import Job
+    from deburr_grammar.document import Document
+    from deburr_grammar.line import LineNode
+
+_CALCULATES = frozenset(("advanced", "angle", "vector", "alias_name"))
+_SILENT = frozenset(("PERCENT", "section", "config"))
+
+
+def run(job: Job) -> Iterator[None]:
+    """Run the job's programs, one after the other; each starts anew."""
+    for program in job.programs:
+        unit = Unit(program.file, program.document)
+        found = list[Fault]()
+        for fault in faults(job, unit):
+            if fault is None:
+                yield
+            else:
+                found.append(fault)
+        refuse(job, found)
+        yield from Run(job, unit).all()
+
+
+def worth_running(document: Document) -> bool:
+    """Whether a run can find anything: where nothing is calculated, jumped to or called, the check has seen it all."""
+    for piece in document.pieces():
+        for reading, _, shapes in piece.read():
+            if reading.start is not None and any(
+                not _CALCULATES.isdisjoint(shape.facts(reading).kinds) for shape in set(shapes)
+            ):
+                return True
+    return False
+
+
+class Run:
+    """One run: the lines of its files as closures, and the loop that calls them."""
+
+    def __init__(self, job: Job, unit: Unit) -> None:
+        self._job = job
+        self._state = State(job, unit)
+        self._flow = Flow(self._state)
+        first_values(self._state)
+
+    def all(self) -> Iterator[None]:
+        """From the first line to the end."""
+        state, job, row = self._state, self._job, self._state.row
+        while row != END:
+            if row == ELSEWHERE:
+                row = state.row
+            unit, _, last = state.program
+            code = unit.code
+            if row >= last:
+                row = self._flow.run_off()
+                continue
+            left = job.slice(unit.file, row, state.frame, self._where(unit))
+            while left and 0 <= row < last:
+                left -= 1
+                row = (code[row] or self._compiled(unit, row))()
+            job.steps -= left
+            if not left:
+                yield
+        self._flow.close()
+
+    def _compiled(self, unit: Unit, row: int) -> Op:
+        """A line that is not kept yet. Most lines run once, so one is kept when it runs again."""
+        node = unit.document.node(row)
+        op = self._flow.around(unit, row, self._compile(unit, row, node))
+        if unit.ran[row]:
+            unit.code[row] = op
+        unit.ran[row] = 1
+        return op
+
+    def _compile(self, unit: Unit, row: int, node: LineNode) -> Op:
+        behind, kinds = row + 1, node.kinds
+        if node.reading.start is None or not node.text.strip() or not _SILENT.isdisjoint(kinds):
+            return lambda: behind
+        if node.shape.facts(node.reading).problems:
+            problem = node.problems[0]
+            place = Place(unit.file, row, Span(problem.start, problem.end))
+            message = f"`{node.text[problem.start : problem.end]}` cannot be read here; the control stops"
+            raise self._state.fault(problem.kind, place, message)
+        found = plain_of(node)
+        if found is not None and (read := found.read(node.text, self._job.inputs.keep_n)) is not None:
+            return copied(self._state, unit, row, *read)
+        if "advanced" not in kinds:
+            returns = next((word for word in node.find("g_word") if word.children[0].kind == "G26"), None)
+            return Block(self._state, unit, row, node).op(self._flow.back(unit, row, returns))
+        passed = optional(self._state, node)
+        if passed is None:
+            raise undecided(self._state, unit, row, node.text)
+        return (lambda: behind) if passed else advanced(self._flow, unit, row, node)
+
+    def _where(self, unit: Unit) -> str:
+        """The innermost loop and what it depends on, in the user's words."""
+        loop, frame = self._state.loop, self._state.frame
+        if loop is None or frame is None or frame.kind is not Entered.LOOP:
+            return ""
+        text = unit.document.line(loop.last).strip()
+        return f"pass {frame.number:,} of the loop from line {loop.first + 1} to `{text}` of line {loop.last + 1}{self._last_values(unit, loop.last)}"
+
+    def _last_values(self, unit: Unit, row: int) -> str:
+        """The values in the conditions of a line that jumps back."""
+        node = unit.document.node(row)
+        values, said = Values(self._state, unit.file, row, node.text), dict[str, float]()
+        for comparison in node.find("comparison"):
+            for part in (comparison.children[0], comparison.children[-1]):
+                try:
+                    said[values.said(part)] = values.value(part)()
+                except Halt:
+                    continue
+        known = [f"`{name}` = {value:g}" for name, value in said.items() if not name.replace(".", "").isdigit()]
+        return f" with {' and '.join(known)}" if known else ""
