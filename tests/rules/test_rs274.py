@@ -41,7 +41,21 @@ TRIGGERS = {
     "exists-argument": ["#1=EXISTS[1]", "#1=EXISTS[#1]"],
     "line-number": ["N-5", "G0 N5", "N5 N6"],
     "block-delete-position": ["G0 /X1"],
-    "percent": ["%abc"],
+    "percent": ["%abc", "%", "G0 %"],
+    "text-after-end": ["M2\nG0 X1", "M30\nthank you"],
+    "message-suppressed": ["(MSG,first)(second)", "(LOGCLOSE)(a)", "o1 if [1]\no1 endif (PRINT,a)"],
+    "msg-spelling": ["( m s g , hi)", "(msg ,hi)", "(print ,hi)"],
+    "semicolon-active": [";MSG,hi", "G0 X1 ; abort, no tool"],
+    "python-comment": ["(PY,x)", "(PYRUN,f)", "(PYRELOAD)", ";py,x"],
+    "mixed-precedence": ["#1=[0 AND 1 + 1]", "#1=[1 OR 0 AND 0]", "#1=[1 XOR 0 AND 0]", "#1=[-2**2]", "#1=[2**3**2]"],
+    "compare-chained": ["#1=[3 GT 2 GT 1]"],
+    "digits-joined": ["#1=[1 2]", "G0 X1 2", "#1 5=2"],
+    "sign-chained": ["G0 X--1", "G0 X-+1", "#1=[1---2]"],
+    "tan-pole": ["#1=TAN[90]", "#1=TAN[-90]"],
+    "do-continue-break": ["o1 do\no1 continue\no1 break\no1 while [0]"],
+    "repeat-fraction": ["o1 repeat [2.5]\no1 endrepeat", "o1 repeat [-0.5]\no1 endrepeat"],
+    "return-label": ["o1 sub\no2 return\no1 endsub\no1 call"],
+    "o-label-negative": ["o-1 if [1]\no-1 endif"],
     "o-extra-text": ["o1 if [1] G0 X1\no1 endif", "o1 call 5"],
     "o-unknown": ["o1 foo"],
     "o-condition": ["o1 if #1\no1 endif"],
@@ -55,6 +69,15 @@ TRIGGERS = {
     "break-target": ["o1 repeat [2]\no1 break\no1 endrepeat"],
     "sub-nested": ["o1 sub\no2 sub\no2 endsub\no1 endsub"],
     "sub-redefined": ["o1 sub\no1 endsub\no1 sub\no1 endsub"],
+    "named-undefined": ["G0 X#<nope>", "#<a>=2 G1 X#<a> F9"],
+    "read-before-set": ["G0 X#77"],
+    "set-twice": ["#3=15 #3=6"],
+    "set-and-use": ["#3=6 G1 X#3 F9"],
+    "sub-before-definition": ["o9 call\no9 sub\no9 endsub"],
+    "sub-arguments": ["o1 sub\no1 endsub\no1 call " + "[1]" * 31],
+    "sub-name-unsafe": ["o<$(date)> call"],
+    "sub-uncalled": ["o1 sub\no1 endsub"],
+    "sub-depth": ["o1 sub\no1 call\no1 endsub\no1 call"],
     "sub-outside": ["o1 endsub", "o1 return"],
 }
 
@@ -66,6 +89,9 @@ def test_a_trigger_gives_its_rule_and_no_other(rule: str, block: str) -> None:
 
 def test_triggers_of_the_smithy_profile() -> None:
     assert rules_said("#5400=1", profile="smithy") == ["param-range"]
+    assert rules_said("G0 X1 ;a", profile="smithy") == ["smithy-comment"]
+    assert rules_said("M3 S1 $0", profile="smithy") == ["smithy-letter"]
+    assert rules_said("M3 S1 $0 ;a") == []
     assert rules_said("N123456", profile="smithy") == ["line-number"]
 
 

@@ -118,8 +118,8 @@ SET = {
 }
 """Rules whose trigger of the table is none by itself, and why lines are set beside it."""
 
-RUN = ("pal-machine-value", "read-before-set", "optional-state", "limit")
-"""Rules of the table on which only a run can decide, or an input that was not given."""
+RUN = ("pal-machine-value", "read-before-set", "optional-state", "limit", "polar-origin")
+"""Rules on which only a run can decide, or an input that was not given: those of the table, and the warning of §4 on CP."""
 
 VERBATIM = [
     ("comment-unclosed", "(oops"), ("comment-nested", "(a (b) c)"), ("advanced-unterminated", "!X=0"), ("advanced-empty-field", "!X=0;;Y=1!"),
@@ -440,6 +440,7 @@ def test_severities_are_those_of_the_reference() -> None:
     warnings = {
         "advanced-empty-field", "allow-unused", "field-unreachable", "if-empty", "g-conflict", "pal-rounded", "same-block-use", "parameter-unknown",
         "jump-first-line", "range-end-active", "range-open-at-end", "g26-missing", "fcepp-spelling", "html-entity",
+        "polar-origin",
     }  # fmt: skip
     infos = {"if-falls-through", "jump-expression", "alias-order", "label-unused", "text-after-end", "lower-case"}
     own = {rule.short: rule for rule in rules_of("z32") if rule.check.__module__.startswith("deburr.rules.z32")}

@@ -1,8 +1,11 @@
-"""MetaGCODE programs that are run in memory."""
+"""MetaGCODE programs that are checked and run in memory."""
 
 from collections.abc import Mapping
 
+from deburr.analysis import Analysis
 from deburr.expand import Budget, Expansion, Inputs, Program, expand
+from deburr.finding import Finding
+from deburr.host import Host
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
@@ -30,3 +33,21 @@ def flat(*programs: str, **more: object) -> list[str]:
     expansion = expanded(*programs, **more)  # type: ignore[arg-type]
     assert not [fault for fault in expansion.faults if fault.kind not in ("loop-zero", "alpha-number", "alpha-case")]
     return expansion.lines
+
+
+def found(
+    program: str,
+    files: Mapping[str, str] | None = None,
+    file: str = "main.mgc",
+    host: Host | None = None,
+    **settings: str,
+) -> list[Finding]:
+    """All findings. Files are named relative to the folder of snippets."""
+    host = host or MemoryHost({f"Snippets/{name}": text for name, text in (files or {}).items()})
+    rules = RuleSet(DIALECT, settings) if settings else RULES
+    return Analysis(Document.parse(program, DIALECT), rules, file, host).findings()
+
+
+def said(program: str, files: Mapping[str, str] | None = None, **more: str) -> list[str]:
+    """The rules that speak and their lines, counted from 1: `block-unclosed 3`."""
+    return [f"{each.rule.removeprefix('metagcode.')} {each.place.line + 1}" for each in found(program, files, **more)]

@@ -1,0 +1,96 @@
+"""The triggers of spec/rs274.md §8 on words and motion, as they stand there, and what must not be said."""
+
+import pytest
+
+from deburr.analysis import Analysis
+from deburr.finding import Severity
+from deburr.ruleset import RuleSet
+from deburr_grammar.dialects import by_name
+from deburr_grammar.document import Document
+
+DIALECT = by_name("rs274")
+
+
+def rules_said(program: str, **settings: str) -> list[str]:
+    findings = Analysis(Document.parse(program, DIALECT, size=20), RuleSet(DIALECT, settings)).findings()
+    return [finding.rule.removeprefix("rs274.") for finding in findings]
+
+
+TRIGGERS = {
+    "word-repeated": ["G0 X1 X2"],
+    "g-group": ["G0 G1 X1"],
+    "m-group": ["M3 M4", "M7 M8"],
+    "m-count": ["M0 M3 M6 M8 M48"],
+    "axis-conflict": ["G28 G1 X1 F1"],
+    "axis-no-motion": ["X1"],
+    "word-unused": ["P1", "I1", "H1"],
+    "g-unknown": ["G12", "G1.5"],
+    "m-unknown": ["M55", "M200"],
+    "m-user": ["M190"],
+    "negative-value": ["F-1", "S-1", "T-1", "G-1"],
+    "feed-missing": ["G1 X1"],
+    "arc-form": ["F10\nG2 X1", "F10\nG2 X1 I1 R1"],
+    "arc-radius": ["F10\nG2 X1 Y1 I0.3 J1"],
+    "cycle-word": ["G81 X1 Z-1 F10"],
+    "dwell-missing": ["G4"],
+}
+
+
+@pytest.mark.parametrize(("rule", "block"), [(rule, block) for rule, blocks in TRIGGERS.items() for block in blocks])
+def test_a_trigger_gives_its_rule_and_no_other(rule: str, block: str) -> None:
+    assert rules_said(DIALECT.frame.replace("{}", block)) == [rule]
+
+
+def test_an_axis_that_the_machine_lacks() -> None:
+    assert rules_said("F1\nG1 W1\nM2\n", axes="XYZ") == ["axis-letter"]
+    assert rules_said("F1\nG1 W1\nM2\n", profile="smithy") == ["axis-letter"]
+    assert rules_said("F1\nG1 W1\nM2\n") == []
+
+
+UNCERTAIN = {
+    "a block may have set the motion": "#1=1\no1 if [#1]\nG0\no1 endif\nX1\nM2\n",
+    "a call may have set the feed rate": "o<a> sub\nF100\no<a> endsub\no<a> call\nG1 X1\nM2\n",
+    "a sub does not know what holds before it": "o<a> sub\nX1 R1\nG1 Y2\no<a> endsub\nG0\no<a> call\nM2\n",
+    "a loop may come from its end": "#1=0\no1 while [#1 LT 2]\nX1\nG0 Y1\n#1=[#1+1]\no1 endwhile\nM2\n",
+    "the operator decides on a line": "/G1 F100\nX1\nM2\n",
+    "a code may be any": "#1=81\nG#1 X1 R2 P3\nM2\n",
+    "a move may lead anywhere": "F100\n#1=1\nG0 X#1 Y0\nG2 X5 I1\nM2\n",
+    "an offset moves the origin": "F100\nG0 X0 Y0\nG92 X5\nG2 X9 R1\nM2\n",
+    "M6 may move the machine": "F100\nG0 X0 Y0\nT1 M6\nG2 X9 R1\nM2\n",
+    "units change the numbers": "F100\nG0 X1 Y0\nG21\nG2 X9 R1\nM2\n",
+}
+
+
+@pytest.mark.parametrize("why", UNCERTAIN)
+def test_what_is_not_certain_is_no_error(why: str) -> None:
+    findings = Analysis(Document.parse(UNCERTAIN[why], DIALECT, size=20), RuleSet(DIALECT)).findings()
+    assert [finding for finding in findings if finding.severity is Severity.ERROR] == []
+
+
+CERTAIN = {
+    "a branch changes nothing": ("#1=1\nG0\no1 if [#1]\nG0\no1 endif\nX1 P1\nM2\n", ["word-unused"]),
+    "a code sets the motion in a sub": ("o<a> sub\nG80\nX1\no<a> endsub\no<a> call\nM2\n", ["axis-no-motion"]),
+    "G80 beside a motion is passed over": ("F100\nG1 G80 X1\nX2\nM2\n", []),
+    "splines do not stay": ("F100\nG0 X1\nG5.1 X1 Y1 I1 J1\nX2\nM2\n", []),
+    "a feed mode forgets the feed rate": ("G1 X1 F100\nG94\nX2\nX3\nM2\n", ["feed-missing"]),
+    "a rounded code is the code": ("G0.00001 X1\nX2\nM2\n", []),
+    "the way of an arc is followed through chunks": (
+        "F100\nG0 X0 Y0\n" + "G1 Z1\n" * 40 + "G2 X5 R1\nM2\n",
+        ["arc-radius"],
+    ),
+    "arcs follow arcs": ("F100\nG0 X0 Y0\nG2 X2 I1\nX4 I1\nX9 I1\nX11 I1\nM2\n", ["arc-radius"]),
+    "zero is zero in all units": ("F100\nG0 X0 Y0\nG21\nG2 X9 R1\nM2\n", ["arc-radius"]),
+    "a feed rate of zero": ("F0\nG0 X1\nG1 X2\nX3\nM2\n", ["feed-zero"]),
+}
+
+
+@pytest.mark.parametrize("why", CERTAIN)
+def test_what_is_certain_is_said_once(why: str) -> None:
+    program, expected = CERTAIN[why]
+    assert rules_said(program) == expected
+
+
+def test_an_unknown_code_in_a_file_of_subprograms_is_a_warning() -> None:
+    program = "o<a> sub\nM69\nG12\no<a> endsub\n"
+    findings = Analysis(Document.parse(program, DIALECT), RuleSet(DIALECT)).findings()
+    assert {f.severity for f in findings if f.rule.endswith("-unknown")} == {Severity.WARNING}
