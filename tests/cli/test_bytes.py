@@ -18,6 +18,7 @@ HEAD = b"G21 G90 G17\n"
 TAIL = b"F100\nM2\n"
 ZERO = "error rs274.divide-by-zero"
 PADDING = "info rs274.nul-bytes"
+MARK = "error rs274.byte-order-mark"
 
 
 @pytest.mark.parametrize(
@@ -38,7 +39,19 @@ def test_decoding_never_fails(data, text, encoding):
 
 def test_a_byte_order_mark_is_no_column(shell):
     assert read(b"\xef\xbb\xbfM2") == Source("M2", bom=True)
-    assert places(shell, b"\xef\xbb\xbfG21 G90 G17 (\xc3\xa4\xf0\x9f\x98\x80) F100 X[1/0]\nM2\n") == [f"1:27: {ZERO}"]
+    program = b"\xef\xbb\xbfG21 G90 G17 (\xc3\xa4\xf0\x9f\x98\x80) F100 X[1/0]\nM2\n"
+    assert places(shell, program, "--ignore", "rs274.byte-order-mark") == [f"1:27: {ZERO}"]
+
+
+@pytest.mark.parametrize("start", [b"", b"\0\0", b"\n", b"\0\n"])
+def test_a_byte_order_mark_is_said_where_the_program_starts(shell, start):
+    padding = [f"1:1: {PADDING}"] if start.startswith(b"\0") else []
+    assert places(shell, b"\xef\xbb\xbf" + start + HEAD + TAIL) == [f"1:1: {MARK}", *padding]
+
+
+def test_a_byte_order_mark_is_no_fault_where_the_control_skips_it(shell):
+    shell.write("a.cgt", b"\xef\xbb\xbf.@ \xc3\xa4 \n")
+    assert "byte-order-mark" not in shell.run("check", "a.cgt").out
 
 
 @pytest.mark.parametrize("comment", [b"(\xe4\x80)", "(ä€)".encode(), b"(\xe4\x81)"])

@@ -107,6 +107,10 @@ def readings(program: str) -> list[str]:
         ("M2\no1 endif\no1 if [1]", ["program", "after-end", "after-end"]),
         ("%\nG0\n%\no1 sub\ntext", ["program", "program", "program", "after-end", "after-end"]),
         ("%\nG0\nM2\ntext", ["program", "program", "program", "after-end"]),
+        ("M2\n%\n%abc", ["program", "after-end", "after-end"]),
+        ("%\nM2\n%\no1 sub\ntext", ["program", "program", "after-end", "after-end", "after-end"]),
+        ("%abc\nG0\n%\ntext", ["program", "program", "program", "after-end"]),
+        ("%\nG0\n%abc\ntext", ["program", "program", "program", "after-end"]),
     ],
 )
 def test_where_a_program_ends(program: str, expected: list[str]) -> None:

@@ -8,8 +8,10 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from queue import Empty, Queue
+from tempfile import TemporaryFile
 from threading import Thread
 from typing import Any
 
@@ -44,22 +46,26 @@ class Client:
         environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
         command = [sys.executable, "-m", "deburr", "server", *arguments]
         pipe = subprocess.PIPE
-        self.process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=pipe, cwd=folder, env=environment)
+        self.log = TemporaryFile()
+        self.process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=self.log, cwd=folder, env=environment)
         self.folder = folder
         self.said: list[Json] = []
         """Notifications and requests of the server that nobody has waited for."""
-        self.answer: Callable[[Json], Any] = lambda request: [None] if "items" in (request.get("params") or {}) else None
+        self.answer: Callable[[Json], Any] = lambda request: (
+            [None] if "items" in (request.get("params") or {}) else None
+        )
         self._arrived: Queue[Json | None] = Queue()
         self._answers: dict[Any, Json] = {}
         self._number = 0
         self._versions: dict[str, int] = {}
-        Thread(target=self._read, daemon=True).start()
+        self._reader = Thread(target=self._read, daemon=True)
+        self._reader.start()
 
     def start(self, capabilities: Json | None = None, **params: Any) -> Json:
         """The usual beginning; the result of `initialize`."""
         folders = [{"uri": self.folder.as_uri(), "name": "here"}]
         said = {"processId": os.getpid(), "capabilities": capabilities or PUSHED, "workspaceFolders": folders, **params}
-        result = self.request("initialize", said)
+        result: Json = self.request("initialize", said)
         self.notify("initialized", {})
         return result
 
@@ -72,7 +78,17 @@ class Client:
     def kill(self) -> None:
         """The end in any case."""
         self.process.kill()
-        self.process.communicate()
+        self.process.wait()
+        self._reader.join()
+        for stream in (self.process.stdin, self.process.stdout, self.log):
+            assert stream is not None
+            with suppress(BrokenPipeError):
+                stream.close()
+
+    def logged(self) -> str:
+        """What the server wrote on standard error."""
+        self.log.seek(0)
+        return self.log.read().decode()
 
     def send(self, message: Any) -> None:
         """Any message."""
@@ -91,12 +107,19 @@ class Client:
     def ask(self, method: str, params: Any = None) -> int:
         """A request; its number."""
         self._number += 1
-        self.send({"jsonrpc": "2.0", "id": self._number, "method": method, **({} if params is None else {"params": params})})
+        self.send(
+            {"jsonrpc": "2.0", "id": self._number, "method": method, **({} if params is None else {"params": params})}
+        )
         return self._number
 
     def request(self, method: str, params: Any = None) -> Any:
         """A request and its result."""
         return self.result(self.ask(method, params))
+
+    def settle(self) -> None:
+        """Wait until the server has begun with all that it was sent."""
+        with suppress(Refused):
+            self.request("deburr/nothing")
 
     def result(self, number: Any) -> Any:
         """The result of a request; Refused if it is an error."""
@@ -154,9 +177,9 @@ class Client:
         try:
             message = self._arrived.get(timeout=max(0.01, until - time.monotonic()))
         except Empty:
-            raise TimeoutError(f"the server is silent; it said {self.said}") from None
+            raise TimeoutError(f"the server is silent; it said last {self.said[-2:]}\n{self.logged()}") from None
         if message is None:
-            raise EOFError(f"the server has gone: {self.process.wait(PATIENCE)}")
+            raise EOFError(f"the server has gone: {self.process.wait(PATIENCE)}\n{self.logged()}")
         if "method" not in message:
             self._answers[message["id"]] = message
             return
@@ -176,4 +199,7 @@ class Client:
 def edit(line: int, start: int, end: int, text: str, end_line: int | None = None) -> Json:
     """A change of a stretch of text."""
     last = line if end_line is None else end_line
-    return {"range": {"start": {"line": line, "character": start}, "end": {"line": last, "character": end}}, "text": text}
+    return {
+        "range": {"start": {"line": line, "character": start}, "end": {"line": last, "character": end}},
+        "text": text,
+    }

@@ -17,7 +17,8 @@ from deburr_grammar.dialect import Dialect
 from deburr_grammar.document import Document
 
 _FILE = re.compile(r"^-- (.+) --$")
-_BYTES = str.maketrans({"␀": "\0", "␚": "\x1a", "␍": "\r"})
+BYTES = str.maketrans({"␀": "\0", "␚": "\x1a", "␍": "\r", "⚑": "\ufeff"})
+"""Pictures of what cannot be seen."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ def examples(rule: Rule, dialect: Dialect) -> Iterator[Example]:
 
     `Bad (whole):` is a program of its own, without the dialect's frame; `Bad (profile=smithy):`
     sets a setting; a value with `|` is a list. A line `-- NAME --` starts another file.
-    In a whole program `{}` is the frame with nothing in it; `␀`, `␚` and `␍` stand for the bytes that they are pictures of.
+    In a whole program `{}` is the frame with nothing in it; `␀`, `␚` and `␍` stand for the bytes that they are pictures of, `⚑` for a byte order mark.
     """
     for block in page_of(rule, dialect, short=False).blocks:
         frame = "{}" if "whole" in block.options else dialect.frame
@@ -68,7 +69,7 @@ def _example(good: bool, lines: Sequence[str], frame: str, settings: Mapping[str
         else:
             row = len(files[current])
             files[current] += line.split("\n")
-    program = frame.replace("{}", "\n".join(files.pop(""))).translate(_BYTES)
+    program = frame.replace("{}", "\n".join(files.pop(""))).translate(BYTES)
     texts = {name: "\n".join(text) + "\n" for name, text in files.items()}
     return Example(good, program, texts, settings, tuple(places), tuple(elsewhere))
 

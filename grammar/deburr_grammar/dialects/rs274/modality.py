@@ -15,10 +15,12 @@ AXES = frozenset("XYZABCUVW@^")
 _STAYS = frozenset("FST")
 _ELSEWHERE = frozenset(("M70", "M72", "M73", "M98", "M99"))
 """Codes that run other text, or bring back a state that was kept."""
-_FEEDS = frozenset("G1 G2 G3 G5 G5.1 G5.2 G38.2 G38.3 G38.4 G38.5 G73 G74 G81 G82 G83 G84 G85 G86 G87 G88 G89".split())
+_FEED_CODES = "G1 G2 G3 G5 G5.1 G5.2 G38.2 G38.3 G38.4 G38.5 G73 G74 G81 G82 G83 G84 G85 G86 G87 G88 G89"
+FEEDS = frozenset(_FEED_CODES.split())
+"""Motions for which a feed rate must be known."""
 _LONGEST = 40
-_MOTIONS = _FEEDS | frozenset("G0 G33 G33.1 G70 G71 G71.1 G71.2 G72 G72.1 G72.2 G76".split())
-_CLEARS = {"G94": ("F", FED), "G95": ("F", FED), "G80": (LOST,), "G5.3": ("motion", LOST)}
+_MOTIONS = FEEDS | frozenset(["G0", "G33", "G33.1", "G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2", "G76"])
+_CLEARS = {"G94": ("F", FED, LOST), "G95": ("F", FED, LOST), "G80": (LOST,), "G5.3": ("motion", LOST)}
 """Codes behind which something is as if never set: a feed mode forgets the feed rate, even the mode that is already in force."""
 
 
@@ -66,7 +68,7 @@ def _codes(line: LineNode) -> list[str]:
             found.append(code_of(line.text[word.start : word.end]) if isinstance(value, Token) else "")
         elif letter in _STAYS:
             found.append(letter)
-    if not _FEEDS.isdisjoint(found):
+    if not FEEDS.isdisjoint(found):
         found.append(FED)
     if "G" not in letters and not AXES.isdisjoint(letters):
         found.append(LOST)

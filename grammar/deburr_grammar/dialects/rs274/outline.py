@@ -5,6 +5,7 @@ from collections.abc import Callable, Hashable, Iterator
 from typing import NamedTuple
 
 from deburr_grammar.codes import code_number
+from deburr_grammar.dialects.rs274.commands import meant
 from deburr_grammar.dialect import Bracket, Reading, Role, Step
 from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
@@ -52,6 +53,7 @@ _COMMANDS = {
     "CONTINUE": (Role.MIDDLE, "loop"),
     "RETURN": (Role.MIDDLE, "sub"),
 }
+_MEANT = {kind.lower(): command for kind, command in _COMMANDS.items()}
 _BLANKS = re.compile(r"[ \t]+")
 
 
@@ -124,17 +126,27 @@ def _behind(state: State, bracket: Bracket) -> State:
 def _bracket(line: LineNode, state: State) -> Bracket | None:
     # Of a faulty line the parts that were read stand directly in the tree: it still opens or closes its block.
     o_line = next(line.find("o_line"), line.tree)
-    command = next((part for part in o_line.children if isinstance(part, Token) and part.kind in _COMMANDS), None)
-    label = o_line.node("label")
-    if command is None or label is None:
+    letter, label, command = o_line.find("O"), o_line.node("label"), _command(line, o_line)
+    if command is None or letter is None or label is None:
         return None
-    role, kind = _COMMANDS[command.kind]
+    word, word_meant, end = command
+    role, kind = _MEANT[word_meant]
     name = label_of(line.text, label)
-    if command.kind == "WHILE" and name in state.dos:
+    if word_meant == "while" and name in state.dos:
         role, kind = Role.CLOSE, "do"
-    letter = o_line.find("O")
-    assert letter is not None
-    return Bracket(role, kind, command.kind.lower(), name, Span(letter.start, command.end))
+    return Bracket(role, kind, word, name, Span(letter.start, end))
+
+
+def _command(line: LineNode, o_line: Node) -> tuple[str, str, int] | None:
+    """The command as it is said, the one that it means, and where it ends. A misspelled one opens or closes what the right one would."""
+    for problem in line.problems:
+        if problem.kind == "o-unknown":
+            word = line.text[problem.start : problem.end]
+            return (word, meant(word), problem.end) if meant(word) in _MEANT else None
+    for part in o_line.children:
+        if isinstance(part, Token) and part.kind in _COMMANDS:
+            return part.kind.lower(), part.kind.lower(), part.end
+    return None
 
 
 def label_of(text: str, label: Node) -> str | None:

@@ -2,6 +2,7 @@
 
 import re
 
+from deburr_grammar.dialects.rs274.commands import COMMANDS
 from deburr_grammar.problem import Part, Problem, SyntaxFault
 
 WORDS = {
@@ -33,6 +34,7 @@ WORDS = {
 }
 
 _LETTERS = re.compile(r"[A-Za-z](?:[ \t]*[A-Za-z])*")
+_NAME = re.compile(r"[A-Za-z]+")
 _DIGITS = re.compile(r"[0-9. \t]*[0-9.]")
 
 
@@ -53,6 +55,8 @@ _OBVIOUS = {
     "percent",
     "number-format",
 }
+
+_COMMANDS = frozenset(command.upper() for command in COMMANDS)
 
 Place = tuple[str, int, int]
 
@@ -99,9 +103,11 @@ def _o_word(fault: SyntaxFault) -> Place | None:
     if before.kind in ("IF", "ELSEIF", "WHILE", "REPEAT"):
         return "o-condition", before.start, before.end
     if before.kind in ("O", "HASH", "SIGN"):
-        return "value-missing", before.start, _run(fault, _LETTERS)
+        return "value-missing", before.start, _run(fault, _LETTERS) if _letter(fault).isalpha() else before.end
     if "SUB" in fault.expected:
         return "o-unknown", fault.start, _run(fault, _LETTERS)
+    if before.kind in _COMMANDS and before.end == fault.start and _letter(fault).isalpha():
+        return "o-unknown", before.start, _run(fault, _NAME)
     return "o-extra-text", fault.start, len(fault.text.rstrip())
 
 
@@ -121,21 +127,25 @@ def _value(fault: SyntaxFault) -> Place:
     """A value should have stood here."""
     group, before, char = _group(fault), fault.before, fault.text[fault.start : fault.start + 1]
     begun = before.start if before is not None else fault.start
+    missing = "value-missing", begun, before.end if before is not None else fault.start
     if fault.found == "$END":
-        return ("expression-unclosed", group.start, len(fault.text)) if group else ("value-missing", begun, fault.start)
+        return ("expression-unclosed", group.start, len(fault.text)) if group else missing
     if char.isascii() and char.isalpha():
-        end = _run(fault, _LETTERS)
-        if not group and end == fault.start + 1 and not fault.text[end:].lstrip().startswith("["):
-            return "value-missing", begun, fault.start
-        return "function-unknown", fault.start, end
+        end = _run(fault, _NAME)
+        called = fault.text[end:].lstrip().startswith("[")
+        if not group and end == fault.start + 1 and not called:
+            return missing
+        # A letter that is taken for a word of its own, of what was meant as text.
+        apart = called or before is None or before.kind != "LETTER" or before.end < fault.start
+        return "function-unknown", fault.start if apart else begun, end
     if char == ".":
         return "number-format", fault.start, _run(fault, _DIGITS)
     if fault.found in ("COMMENT", "ACTIVE_OPEN"):
-        return "value-missing", begun, fault.start
+        return missing
     if group and char in "]*/=":
         return "expression-syntax", fault.start, fault.start + (2 if fault.text.startswith("**", fault.start) else 1)
     if char in "]*/=;":
-        return "value-missing", begun, fault.start
+        return missing
     return "bad-character", fault.start, fault.start + 1
 
 

@@ -6,7 +6,7 @@ from deburr.arithmetic import ArithmeticFault
 from deburr.arithmetic.rs274 import constant
 from deburr.rule import Line, Report
 from deburr_grammar.text import Span
-from deburr_grammar.tree import Node, Token
+from deburr_grammar.tree import Node
 
 NEAR = 1e-4
 """How near to an integer a value must be where one is required (spec/rs274.md §1.2)."""
@@ -15,13 +15,15 @@ NEAR = 1e-4
 def faults(line: Line, node: Node, rule: str) -> Iterator[Report]:
     """The fault of that name for which an operation of its own is to blame, not one inside it."""
     value = constant(line.text, node, line.settings)
-    if isinstance(value, ArithmeticFault) and value.rule == rule and _own(node, value.part):
+    if isinstance(value, ArithmeticFault) and value.rule == rule and _own(node, value):
         said = line.text[node.start : node.end]
         yield Report(Span(value.part.start, value.part.end), f"`{said}` is {value.why}; the control stops here")
 
 
-def _own(node: Node, part: Node | Token) -> bool:
-    return part is node or any(part is child for child in node.children)
+def _own(node: Node, fault: ArithmeticFault) -> bool:
+    """A division is blamed on its divisor, all else on the operation itself."""
+    at_divisor = fault.rule == "divide-by-zero" and any(fault.part is child for child in node.children)
+    return at_divisor or fault.part is node
 
 
 def index(line: Line, param: Node) -> float | None:

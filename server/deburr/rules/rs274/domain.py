@@ -20,7 +20,7 @@ Good:
 
     #1=SQRT[0]
     #3=ACOS[1]
-    #4=[-8**2]
+    #4=[[-8]**2]
 """
 
 from collections.abc import Iterator

@@ -16,6 +16,7 @@ Bad:
 
 Good:
 
+    #1=1
     o1 if [#1]
     o1 endif
 """

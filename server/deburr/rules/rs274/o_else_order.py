@@ -6,6 +6,7 @@ Source: spec/rs274.md §6
 
 Bad:
 
+    #1=0
     o1 if [#1]
     o1 else
     o1 else
@@ -14,16 +15,18 @@ Bad:
 
 Bad:
 
+    #1=0
     o1 if [#1]
     o1 else
-    o1 else if [#2]
+    o1 else if [#1 LT 3]
     ^^^^^^^^^^
     o1 endif
 
 Good:
 
+    #1=0
     o1 if [#1]
-    o1 elseif [#2]
+    o1 elseif [#1 LT 3]
     o1 else
     o1 endif
 """

@@ -9,6 +9,7 @@ Source: spec/rs274.md §6
 
 Bad:
 
+    #1=0
     o1 if [#1]
     o1 endif
     o1 while [0]
@@ -17,22 +18,25 @@ Bad:
 
 Good:
 
+    #1=0
     o1 if [#1]
     o1 endif
     o<drill> sub
       o1 if [#1]
       o1 endif
     o<drill> endsub
+    o<drill> call [5]
     o2 while [0]
     o2 endwhile
 
 Good:
 
+    #1=0 #2=1
     o1 if [#1]
       o2 if [#2]
       o2 endif
     o1 else
-      o2 if [#3]
+      o2 if [#2]
       o2 endif
     o1 endif
 """

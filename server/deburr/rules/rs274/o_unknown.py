@@ -1,7 +1,9 @@
 """O-word command that does not exist.
 
 The commands are sub, endsub, return, call, if, elseif, else, endif, while, endwhile, do, repeat,
-endrepeat, break and continue. The control stops with "Unknown control command in o word".
+endrepeat, break and continue. The control stops with "Unknown control command in o word", or with
+"Unexpected character after O-word" where more letters follow a command. A word that was likely
+meant as one of them opens or closes its block all the same, so that nothing else is said of it.
 
 Source: spec/rs274.md §6
 
@@ -9,8 +11,25 @@ Bad:
 
     o1 foo
        ^^^
+    o2 gosub [5]
+       ^^^^^
+
+Bad:
+
+    o1 loop [3]
+       ^^^^
     o1 endfor
        ^^^^^^
+
+Bad:
+
+    #1=0
+    o1 while [#1 LT 3]
+      #1=[#1+1]
+    o1 wend
+       ^^^^
+    o2 callsub [5] [6]
+       ^^^^^^^
 
 Good:
 
@@ -21,34 +40,14 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
-from deburr.suggest import suggestion
+from deburr_grammar.dialects.rs274.commands import COMMANDS, meant
 from deburr_grammar.problem import Problem
 
 
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the command."""
-    yield Report(whole(problem), f"`{line.said(problem)}` is no O-word command{_meant(line.said(problem))}")
-
-
-_COMMANDS = [
-    "sub",
-    "endsub",
-    "return",
-    "call",
-    "if",
-    "elseif",
-    "else",
-    "endif",
-    "while",
-    "endwhile",
-    "do",
-    "repeat",
-    "endrepeat",
-    "break",
-    "continue",
-]
-
-
-def _meant(name: str) -> str:
-    return suggestion("".join(name.split()).lower(), _COMMANDS)
+    word = line.said(problem)
+    command = meant(word)
+    hint = f"; did you mean `{command}`?" if command else f"; the commands are {', '.join(COMMANDS)}"
+    yield Report(whole(problem), f"`{word}` is no O-word command{hint}")

@@ -19,6 +19,8 @@ Good:
     o1 endsub
     o2 sub
     o2 endsub
+    o1 call
+    o2 call
 """
 
 from collections.abc import Iterator

@@ -19,6 +19,7 @@ Good:
     o1 sub
       o1 return [3]
     o1 endsub
+    o1 call
 """
 
 from collections.abc import Iterator

@@ -18,6 +18,8 @@ Good:
     o1 endsub
     o<one> sub
     o<one> endsub
+    o1 call
+    o<one> call
 """
 
 from collections.abc import Iterator

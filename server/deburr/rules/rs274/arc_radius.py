@@ -1,0 +1,198 @@
+"""Arc that cannot be: its centre or radius does not fit its ends.
+
+The centre must be as far from the start of an arc as from its end: to 0.0282 mm (0.0028 inch), or to 0.1 %
+of the radius in a large arc, up to 2.8 mm (0.28 inch). A radius R must reach from start to end to 0.00127 mm
+(0.00005 inch), the ends must not be one point, and no radius may be zero. The control stops, as with
+"Radius to end of arc differs from radius to start".
+
+The start is known as long as absolute moves (G90) with literal numbers lead to it. At the beginning of the
+program it is taken for X0 Y0 Z0, as the control's preview does: an arc from wherever
+the machine happens to stand is none that anyone could mean.
+
+Source: spec/rs274.md §8, §10
+
+Bad:
+
+    F100
+    G0 X0 Y0
+    G2 X1 Y1 I0.3 J1
+    ^^
+
+Bad:
+
+    F100
+    G2 X10 I4
+    ^^
+
+Bad:
+
+    F100
+    G0 X5 Y5
+    G3 X10 R1
+    ^^
+
+Bad:
+
+    F100
+    G0 X1 Y1
+    G2 X1 Y1 R1
+    ^^
+
+Bad:
+
+    F100
+    G2 X1 I0 J0
+    ^^
+
+Bad:
+
+    F100 G91
+    G2 X2 I1
+    X2 I3
+    ^^
+
+Bad:
+
+    F100
+    G18 G0 X0 Z0
+    G2 X2 Z2 K0.5
+    ^^
+
+Good:
+
+    F100
+    G0 X0 Y0
+    G2 X1 Y1 I0 J1
+    G3 X2.001 Y1 R0.5
+    G2 I1
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from math import hypot
+from typing import NamedTuple
+
+from deburr.analysis import Analysis
+from deburr.rule import Line, Report, Severity, Whole, rule
+from deburr.rules.rs274._moves import Modes
+from deburr.rules.rs274._position import Arc, faults
+from deburr.rules.rs274._words import ARCS, node, said, words
+from deburr_grammar.dialects.rs274.modality import AXES
+from deburr_grammar.text import Span
+
+
+class _Limits(NamedTuple):
+    """How far two radii may differ, at least and at most; how far R may be too short; what is no radius."""
+
+    near: float
+    far: float
+    short: float
+    zero: float
+
+
+_RELATIVE = 0.001
+_LIMITS = {
+    "G21": _Limits(0.02 * 2**0.5, 2 * 2**0.5, 0.00127, 0.00127),
+    "G20": _Limits(0.002 * 2**0.5, 0.2 * 2**0.5, 0.00005, 0.00005),
+}
+_UNKNOWN = _Limits(0.02 * 2**0.5, 2 * 2**0.5, 0.00127, 0.00005)
+"""Where the units are not known: what is wrong in both."""
+_ROUNDING = 1e-6
+"""What exceeds a limit by a smaller part of it may do so by rounding."""
+
+
+class _Plan(NamedTuple):
+    """How the arcs of some modes are read: where their axes stand in a position, the letters of axes and centre, whether these are steps, the limits."""
+
+    places: tuple[int, int]
+    axes: tuple[str, str]
+    centre: tuple[str, str]
+    steps: bool
+    centre_steps: bool
+    limits: _Limits
+
+
+_PLANES = {"G17": ((0, 1), "XY", "IJ"), "G18": ((0, 2), "XZ", "IK"), "G19": ((1, 2), "YZ", "JK")}
+_CENTRES = frozenset("IJK")
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the arcs."""
+    for at, why in faults(analysis, _why):
+        line = Line(analysis.document.node(at), analysis.settings)
+        found = words(line)
+        number = found.first(*(AXES | {"I", "J", "K"} if ARCS.isdisjoint(found.has) else ARCS))
+        word = node(line, number)
+        yield Report(Span(word.start, word.end), f"`{said(line, number)}` {why}", at)
+
+
+def _why(arc: Arc) -> str:
+    """What is wrong with an arc, or nothing."""
+    plan, numbers = _plan(arc.modes), arc.numbers
+    if plan is None:
+        return ""
+    here = [arc.start[at] for at in plan.places]
+    end = [_way(from_, numbers.get(axis), plan.steps) for from_, axis in zip(here, plan.axes)]
+    given = _CENTRES.intersection(numbers)
+    if "R" in numbers:
+        # Without a word for its end, and with a centre, other rules speak.
+        ended = not given and (plan.axes[0] in numbers or plan.axes[1] in numbers)
+        return _of_radius(abs(numbers["R"]), end, plan.limits) if ended else ""
+    if not given or not (given <= set(plan.centre)) or not (plan.centre_steps or len(given) == len(plan.centre)):
+        return ""
+    offset = [_way(from_, numbers.get(letter), plan.centre_steps) for from_, letter in zip(here, plan.centre)]
+    return _of_centre(offset, end, plan.limits)
+
+
+@cache
+def _plan(modes: Modes) -> _Plan | None:
+    if modes.plane not in _PLANES or modes.distance not in ("G90", "G91") or modes.centre not in ("G90.1", "G91.1"):
+        return None
+    places, axes, centre = _PLANES[modes.plane]
+    limits = _LIMITS.get(modes.units or "", _UNKNOWN)
+    steps, centre_steps = modes.distance == "G91", modes.centre == "G91.1"
+    return _Plan(places, (axes[0], axes[1]), (centre[0], centre[1]), steps, centre_steps, limits)
+
+
+def _way(here: float | None, to: float | None, step: bool) -> float | None:
+    """From the start along an axis; without a word it stays where it is. None: not known."""
+    if to is None:
+        return 0.0
+    return to if step else None if here is None else to - here
+
+
+def _of_centre(offset: list[float | None], end: list[float | None], limits: _Limits) -> str:
+    (i, j), (x, y) = offset, end
+    if i is None or j is None:
+        return ""
+    first = last = hypot(i, j)
+    if x is not None and y is not None:
+        last = hypot(i - x, j - y)
+    apart = abs(first - last)
+    if apart <= limits.near and first > limits.zero and last > limits.zero:
+        return ""
+    if min(first, last) < limits.zero * (1 - _ROUNDING):
+        return f"is an arc whose centre is its {'start' if first <= last else 'end'}: it has no radius"
+    far, near = (apart > limit * (1 + _ROUNDING) for limit in (limits.far, limits.near))
+    if far or (near and apart > _RELATIVE * max(first, last) * (1 + _ROUNDING)):
+        return f"is an arc whose centre lies {_said(first)} from its start and {_said(last)} from its end; the two must be equal"
+    return ""
+
+
+def _of_radius(radius: float, end: list[float | None], limits: _Limits) -> str:
+    x, y = end
+    if x is None or y is None:
+        return ""
+    if x == y == 0:
+        return "is an arc of radius R that ends where it starts: its centre could be anywhere; write I, J or K"
+    half = hypot(x, y) / 2
+    if half - radius > limits.short * (1 + _ROUNDING):
+        return f"is an arc of radius {_said(radius)} to a point {_said(2 * half)} away; the radius must be {_said(half)} at least"
+    return ""
+
+
+def _said(length: float) -> str:
+    return f"{length:.4f}".rstrip("0").rstrip(".")

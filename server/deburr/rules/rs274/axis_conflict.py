@@ -1,0 +1,45 @@
+"""Motion code beside a code that takes the axis words itself.
+
+`G10`, `G28`, `G30`, `G52` and `G92` use the axis words of their line for something else than the
+motion code does, so the two may not share a line. The control stops with "Cannot use two g codes
+that both use axis values". The motion in force is no matter: it only waits for a line.
+
+Source: spec/rs274.md §5
+
+Bad:
+
+    G28 G1 X1 F100
+        ^^
+    G0 G92 X0
+    ^^
+    G10 L2 P1 X0 G0
+                 ^^
+
+Good:
+
+    G28 X1
+    G92 X0
+    G80 G28 X1
+"""
+
+from collections.abc import Iterator
+
+from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.rs274._words import TAKES_AXES, report, said, words
+from deburr_grammar.tree import Node
+
+
+@rule(Severity.ERROR, Nodes(("line",), by_shape=True))
+def check(line: Line, _: Node) -> Iterator[Report]:
+    """Report the motion code."""
+    found = words(line)
+    if not found.clear or TAKES_AXES.isdisjoint(found.has):
+        return
+    taker = said(line, found.first(*TAKES_AXES))
+    for at in found.groups.get("motion", ()):
+        if found.codes[at] != "G80":
+            yield report(
+                line,
+                at,
+                f"`{said(line, at)}` and `{taker}` both use the axis words of the line; write them on two lines",
+            )

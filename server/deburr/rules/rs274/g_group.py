@@ -1,0 +1,45 @@
+"""Two G codes of one modal group on a line.
+
+Codes of one group exclude each other: only one motion, one plane, one unit of length can be
+meant. The control stops with "Two g codes used from same modal group". `G80` alone may stand
+beside another motion code, which then wins.
+
+Source: spec/rs274.md §5
+
+Bad:
+
+    G0 G1 X1 F100
+       ^^
+    G90 G91
+        ^^^
+    G54 G17 G55
+            ^^^
+    G28 G53 G0 X1
+        ^^^
+
+Good:
+
+    G90 G21 G17 G40 G49 G80 G94
+    G80 G0 X1
+"""
+
+from collections.abc import Iterator
+
+from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.rs274._words import entry, report, said, sharing, words
+from deburr_grammar.tree import Node
+
+
+@rule(Severity.ERROR, Nodes(("line",), by_shape=True))
+def check(line: Line, _: Node) -> Iterator[Report]:
+    """Report each code behind the first of its group."""
+    found = words(line)
+    for first, *others in filter(None, sharing(line, found, "G")):
+        group = line.node.dialect.codes.entry("group", entry(line, found.codes[first])["group"])
+        title = group.title if group is not None else ""
+        for at in others:
+            yield report(
+                line,
+                at,
+                f"`{said(line, at)}` and `{said(line, first)}` are of one group ({title}); the control takes one of them on a line",
+            )

@@ -1,0 +1,43 @@
+"""G code that does not exist.
+
+The control stops with "Unknown g code used", or with "G-code out of range" for a number above
+99.9 or with more than one digit behind the point. In a file of subprograms alone it is a warning: it
+may belong to a machine that has codes of its own (REMAP).
+
+Source: spec/rs274.md §5
+
+Bad:
+
+    G12
+    ^^^
+    G1.5 X1
+    ^^^^
+    G100
+    ^^^^
+    G38.25 X1
+    ^^^^^^
+
+Good:
+
+    G01 F100 X1
+    G59.3
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.rs274._unknown import unknown
+from deburr.rules.rs274._words import node, said
+from deburr.suggest import suggestion
+from deburr_grammar.text import Span
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the code."""
+    for found in unknown(analysis, "G"):
+        word = node(found.line, found.word)
+        names = [each.name for each in analysis.dialect.codes.table("code") if each.name.startswith("G")]
+        message = f"`{said(found.line, found.word)}` is no G code of this control{suggestion(found.code, names)}"
+        yield Report(Span(word.start, word.end), message, found.at, severity=found.severity)

@@ -1,0 +1,44 @@
+"""M code that does not exist.
+
+The control stops with "Unknown m code used". M100 to M199 are left to the machine builder; above
+that there is none: "M-code greater than 199". In a file of subprograms alone it is a warning: it may
+belong to a machine that has codes of its own (REMAP).
+
+Source: spec/rs274.md §5
+
+Bad:
+
+    M55
+    ^^^
+    M200
+    ^^^^
+    M41 S100
+    ^^^
+
+Good:
+
+    M03 S100
+    M62 P1
+"""
+
+from collections.abc import Iterator
+
+from deburr.analysis import Analysis
+from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.rs274._unknown import unknown
+from deburr.rules.rs274._words import node, said
+from deburr_grammar.text import Span
+
+_LAST = 199
+
+
+@rule(Severity.ERROR, Whole())
+def check(analysis: Analysis) -> Iterator[Report]:
+    """Report the code."""
+    for found in unknown(analysis, "M"):
+        # A fraction is another fault: no M code has one.
+        if "." not in found.code:
+            word = node(found.line, found.word)
+            beyond = f"; they end at M{_LAST}" if float(found.code[1:]) > _LAST else ""
+            message = f"`{said(found.line, found.word)}` is no M code of this control{beyond}"
+            yield Report(Span(word.start, word.end), message, found.at, severity=found.severity)
