@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from deburr.finding import Severity
 from deburr.rule import Rule
-from deburr.ruleset import DEFINED, RuleSet
+from deburr.ruleset import RuleSet
 from deburr.schema import CHECK
 from deburr.selection import Selection, selected
 from deburr_grammar.dialect import Dialect, Setting
@@ -134,7 +134,6 @@ def made(dialect: Dialect, config: Config, ignored: Sequence[str] = ()) -> RuleS
         return selected(rule, layers, ignored)
 
     settings = {setting.name: config.get(dialect.name, setting).value for setting in dialect.settings}
-    settings |= {DEFINED: config.values[DEFINED].value} if DEFINED in config.values else {}
     severities = {name: severity for name, severity in graded.items() if severity is not None}
     return RuleSet(dialect, settings, on, severities)
 

@@ -28,8 +28,6 @@ from deburr_grammar.dialect import Dialect, Reading
 from deburr_grammar.line import LineNode, Shape
 
 _PLANS = 100_000
-DEFINED = "defined"
-"""The setting that holds the names of the values that a run is given: what is given is set."""
 
 
 class RuleSet:
@@ -44,7 +42,7 @@ class RuleSet:
     ) -> None:
         self.dialect = dialect
         defaults = {setting.name: setting.default for setting in dialect.settings}
-        self.settings: Mapping[str, Any] = {DEFINED: (), **defaults, **(settings or {})}
+        self.settings: Mapping[str, Any] = {**defaults, **(settings or {})}
         self._all = rules_of(dialect.name)
         self.rules = tuple(rule for rule in self._all if selected(rule))
         self._severities = dict(severities or {})

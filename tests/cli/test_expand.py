@@ -39,8 +39,8 @@ def test_encoding_byte_order_mark_and_line_ends_are_kept(shell):
     shell.write("umlaut.ngc", "(M\u00fcller)\r\n#1=2 G0 X#1\r\nM2\r\n".encode("cp1252"))
     assert shell.run("expand", "umlaut.ngc", "-o", "flat.ngc").code == 0
     assert (shell.folder / "flat.ngc").read_bytes() == "(M\u00fcller)\r\nG0 X0\r\nM2\r\n".encode("cp1252")
-    shell.write("marked.ngc", "\ufeffG0 X1\nM2\n")
-    assert shell.run("expand", "marked.ngc", "-o", "flat.ngc", "--eol", "crlf").code == 0
+    shell.write("marked.mgc", "\ufeffG0 X1\nM2\n")
+    assert shell.run("expand", "marked.mgc", "-o", "flat.ngc", "--eol", "crlf").code == 0
     assert (shell.folder / "flat.ngc").read_bytes() == "\ufeffG0 X1\r\nM2\r\n".encode()
 
 
@@ -89,11 +89,11 @@ def test_block_delete_is_the_operators(shell, switch, code, out):
 
 
 def test_budgets_name_the_loop(shell):
-    shell.write("p.ngc", "#1=0\no1 while [#1 LT 1]\nG0 X#1\no1 endwhile\nM2\n")
+    shell.write("p.ngc", "#1=0\n#2=0\no1 while [#1 LT 1]\nG0 X#2\n#2=[#2+1]\no1 endwhile\nM2\n")
     ran = shell.run("expand", "p.ngc", "--max-steps", "5000")
     assert ran.code == 1
     assert "rs274.limit" in ran.err
-    assert "5,000" in ran.err and "`o1 while [#1 LT 1]` of line 2" in ran.err and "`#1` = 0" in ran.err
+    assert "5,000" in ran.err and "`o1 while [#1 LT 1]` of line 3" in ran.err and "`#1` = 0" in ran.err
     assert "more than 10 lines" in shell.run("expand", "p.ngc", "--max-blocks", "10").err
 
 

@@ -2,12 +2,10 @@
 
 import argparse
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 from deburr import paths
 from deburr.config import ConfigError
 from deburr.inputs import Inputs
-from deburr.ruleset import DEFINED
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.dialects import NAMES, by_name
 
@@ -56,10 +54,8 @@ def defines(said: Sequence[str]) -> dict[str, str]:
     return found
 
 
-def settings(arguments: argparse.Namespace) -> Iterator[tuple[str, Any]]:
-    """The files that the command line names, for each dialect that has such a setting, and the names of the values that it gives."""
-    if arguments.define:
-        yield DEFINED, tuple(defines(arguments.define))
+def settings(arguments: argparse.Namespace) -> Iterator[tuple[str, str]]:
+    """The files that the command line names, for each dialect that has such a setting."""
     for option, name in _FILES.items():
         path = getattr(arguments, name.replace("-", "_"))
         if path is None:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from deburr.analysis import Analysis
 from deburr.arithmetic import ArithmeticFault
 from deburr.arithmetic.rs274 import constant
 from deburr.rule import Line, Report
@@ -44,3 +45,8 @@ def name(line: Line, param: Node) -> str | None:
 def asked(line: Line, param: Node) -> bool:
     """Whether a parameter is what an EXISTS asks for: then it is not read."""
     return any(exists.start <= param.start < exists.end for exists in line.node.find("exists"))
+
+
+def given(analysis: Analysis) -> frozenset[str]:
+    """The parameters that a run is given values for: names as the control compares them, and numbers."""
+    return frozenset(said.strip().removeprefix("#").strip("<>").lower() for said in analysis.inputs.define)

@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from deburr.arithmetic.rs274 import constant
 from deburr.modal import State
 from deburr.rule import Line, Report
 from deburr_grammar.dialects.rs274.modality import AXES, code_of
+from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
@@ -73,7 +74,13 @@ def words(line: Line) -> Words:
 
 def node(line: Line, at: int) -> Node:
     """A word by its number."""
-    return list(line.node.find("word"))[at]
+    return _nodes(line.node)[at]
+
+
+@lru_cache(8)
+def _nodes(node: LineNode) -> tuple[Node, ...]:
+    """The words of a line: asked for once for each finding, and absurd lines have thousands."""
+    return tuple(node.find("word"))
 
 
 def said(line: Line, at: int) -> str:

@@ -2,7 +2,7 @@
 
 At the start of a program, and behind `G80`, no motion is in force. A line that then holds only
 axis words does not move: the control stops with "Cannot use axis values without a g code that
-uses them". Of several such lines the first is reported.
+uses them". Of several such lines the first is reported, and of several such words on a line.
 
 Source: spec/rs274.md §5
 
@@ -16,7 +16,7 @@ Bad:
     G0 X1
     G80
     Y2 Z3
-    ^^ ^^
+    ^^
     Y4
 
 Bad:
@@ -27,7 +27,7 @@ Bad:
 Bad:
 
     G54 @1 ^45
-        ^^ ^^^
+        ^^
 
 Bad:
 
@@ -63,9 +63,9 @@ def check(line: Line, state: State) -> Iterator[Report]:
         return
     else:
         why = "no motion code is in force here; write `G0` or `G1` on this line or before it"
-    for at, letter in enumerate(found.letters):
-        if letter in AXES:
-            yield report(line, at, f"`{said(line, at)}` does not move the axis: {why}")
+    first, *others = [at for at, letter in enumerate(found.letters) if letter in AXES]
+    axes = " ".join(said(line, at) for at in (first, *others))
+    yield report(line, first, f"`{axes}` {'move' if others else 'moves'} nothing: {why}")
 
 
 def _known_otherwise(has: frozenset[str]) -> bool:

@@ -26,4 +26,6 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the sign."""
-    yield Report(whole(problem), "`/` must be the first sign of the line; the control stops at it here")
+    slashes = "//" in line.text[max(0, problem.start - 1) : problem.end + 1]
+    hint = "; a comment starts with `;` or stands in `( )`" if slashes else ""
+    yield Report(whole(problem), f"`/` must be the first sign of the line; the control stops at it here{hint}")

@@ -16,6 +16,8 @@ Bad:
     ^^^^
     G38.25 X1
     ^^^^^^
+    G61.2
+    ^^^^^
 
 Good:
 
@@ -39,5 +41,7 @@ def check(analysis: Analysis) -> Iterator[Report]:
     for found in unknown(analysis, "G"):
         word = node(found.line, found.word)
         names = [each.name for each in analysis.dialect.codes.table("code") if each.name.startswith("G")]
-        message = f"`{said(found.line, found.word)}` is no G code of this control{suggestion(found.code, names)}"
+        same = [name for name in names if name.partition(".")[0] == found.code.partition(".")[0]]
+        hint = suggestion(found.code, same) or suggestion(found.code, names)
+        message = f"`{said(found.line, found.word)}` is no G code of this control{hint}"
         yield Report(Span(word.start, word.end), message, found.at, severity=found.severity)

@@ -86,6 +86,7 @@ from deburr.rules.rs274._calls import IDLE
 from deburr.rules.rs274._files import world_of
 from deburr.rules.rs274._names import Names, Scope, names_of, place
 from deburr.rules.rs274._program import Use
+from deburr.rules.rs274._values import given
 
 
 @rule(Severity.ERROR, Whole())
@@ -93,7 +94,10 @@ def check(analysis: Analysis) -> Iterator[Report]:
     """Report every read that nothing can have set before."""
     world = world_of(analysis)
     names = names_of(analysis)
+    known = given(analysis)
     for use in names.undefined:
+        if use.name in known and (use.name.startswith("_") or names.scope(use).sub is None):
+            continue
         idle = world.is_idle(use.line) and not _in_label(analysis, use)
         remapped = world.is_library and not world.nested and names.scope(use).sub in (world.own, None)
         report = _report(analysis, names, use, Severity.WARNING if idle or remapped else None)

@@ -25,6 +25,7 @@ Good:
     o1 endif ; last
 """
 
+import re
 from collections.abc import Iterator
 
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
@@ -34,4 +35,18 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the text."""
-    yield Report(whole(problem), f"`{line.said(problem)}` cannot share a line with an O-word")
+    text = line.said(problem)
+    if text[0] in "oO" and line.text[: problem.start][-1:].isdigit():
+        message = (
+            f"`{text}` would be an O-word, which shares its line with nothing; for the digit write `0`, not `{text[0]}`"
+        )
+    elif _BARE.fullmatch(text):
+        message = (
+            f"`{text}` cannot share a line with an O-word; what a command takes stands in brackets, as in `[{text}]`"
+        )
+    else:
+        message = f"`{text}` cannot share a line with an O-word; write it on a line of its own"
+    yield Report(whole(problem), message)
+
+
+_BARE = re.compile(r"[-+]?(?:[0-9.]+|#<?\w+>?)")

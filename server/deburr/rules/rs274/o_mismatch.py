@@ -42,7 +42,7 @@ from typing import TYPE_CHECKING
 
 from deburr.blocks import outward
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.rs274._o_words import end, label, note, said
+from deburr.rules.rs274._o_words import end, label, misspelt, note, said
 from deburr_grammar.structure import Fault, Placed
 
 if TYPE_CHECKING:
@@ -55,6 +55,8 @@ def check(analysis: "Analysis") -> Iterator[Report]:
     for fault in analysis.document.faults:
         if fault.fault in (Fault.MISMATCH, Fault.REGION_MISMATCH) and fault.other is not None:
             bracket, opener = fault.at.bracket, fault.other.bracket
+            if misspelt(bracket) or misspelt(opener):
+                continue
             message = f"{said(bracket)} cannot close {said(opener)}; {end(opener)} is expected"
             yield Report(bracket.span, message, fault.at.line, (note(fault.other, "is open here"),))
     for scope in analysis.scopes:

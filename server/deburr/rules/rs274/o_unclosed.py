@@ -36,7 +36,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Report, Severity, Structure, rule
-from deburr.rules.rs274._o_words import end, note, said
+from deburr.rules.rs274._o_words import end, misspelt, note, said
 from deburr_grammar.structure import Fault, StructureFault
 
 
@@ -44,5 +44,7 @@ from deburr_grammar.structure import Fault, StructureFault
 def check(fault: StructureFault) -> Iterator[Report]:
     """Report the opener."""
     opener = fault.at.bracket
+    if misspelt(opener):
+        return
     related = (note(fault.other, "is reached first"),) if fault.other is not None else ()
     yield Report(opener.span, f"{said(opener)} is never closed; {end(opener)} is missing", fault.at.line, related)

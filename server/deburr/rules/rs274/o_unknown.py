@@ -49,5 +49,12 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the command."""
     word = line.said(problem)
     command = meant(word)
-    hint = f"; did you mean `{command}`?" if command else f"; the commands are {', '.join(COMMANDS)}"
-    yield Report(whole(problem), f"`{word}` is no O-word command{hint}")
+    if word.lower() in _ENDS:
+        hint = "write what ends: `endif`, `endwhile`, `endrepeat` or `endsub`"
+    else:
+        hint = f"did you mean `{command}`?" if command else f"the commands are {', '.join(COMMANDS)}"
+    yield Report(whole(problem), f"`{word}` is no O-word command; {hint}")
+
+
+_ENDS = ("end", "next", "endloop")
+"""What tells nothing of the block that it is to end."""

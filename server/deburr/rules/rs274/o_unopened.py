@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING
 
 from deburr.blocks import outward
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.rs274._o_words import label, said
+from deburr.rules.rs274._o_words import label, misspelt, said
 from deburr_grammar.structure import Fault
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report closers without an opener, and branches without an `if` around them."""
     for fault in analysis.document.faults:
-        if fault.fault is Fault.UNOPENED:
+        if fault.fault is Fault.UNOPENED and not misspelt(fault.at.bracket):
             bracket = fault.at.bracket
             yield Report(bracket.span, f"{said(bracket)} closes nothing; no block is open here", fault.at.line)
     for scope in analysis.scopes:

@@ -1,7 +1,7 @@
 """Operator outside brackets.
 
 Operators work only between `[` and `]`. Elsewhere the value ends where it can, and the control
-calls the operator a bad character.
+calls the operator a bad character. Comments start with `;` or stand in `( )`; `//` starts none.
 
 Source: spec/rs274.md §2
 
@@ -11,6 +11,8 @@ Bad:
          ^
     G0 X10/2
           ^
+    G0 X10 // first hole
+           ^
 
 Good:
 
@@ -27,6 +29,8 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the operator."""
-    yield Report(
-        whole(problem), f"`{line.said(problem)}` calculates only inside brackets, as in `[#1{line.said(problem)}2]`"
-    )
+    sign, pair = line.said(problem), line.text[problem.start : problem.start + 2]
+    if pair in ("//", "/*"):
+        yield Report(whole(problem), f"`{pair}` starts no comment here; write `;` or `( )`")
+    else:
+        yield Report(whole(problem), f"`{sign}` calculates only inside brackets, as in `[#1{sign}2]`")

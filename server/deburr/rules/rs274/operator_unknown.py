@@ -2,7 +2,8 @@
 
 The operators are `**`, `*`, `/`, `MOD`, `+`, `-`, `EQ`, `NE`, `GT`, `GE`, `LT`, `LE`, `AND`, `OR`
 and `XOR`. There is no `^`, no `<`, no `==`, and a comment may not stand inside an expression.
-The control stops with "Unknown operation".
+Where `]` is missing, the control takes what comes next for an operator. It stops with "Unknown
+operation".
 
 Source: spec/rs274.md §3.1
 
@@ -14,6 +15,10 @@ Bad:
           ^
     #1=[1 (x) + 2]
           ^^^
+    G0 X[3*[2+1] Y2
+                 ^
+    #1=[5−2]
+         ^
 
 Good:
 
@@ -24,16 +29,63 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
+from deburr.rules.rs274._characters import foreign
+from deburr.suggest import suggestion
 from deburr_grammar.problem import Problem
+from deburr_grammar.tree import Token
 
 
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report what stands in the operator's place."""
-    yield Report(
-        whole(problem),
-        f"`{line.said(problem)}` is no operator{_MEANT.get(line.said(problem), '') or expected(problem)}",
-    )
+    said, pair = line.said(problem), line.text[problem.start : problem.start + 2]
+    if message := foreign(said[0]):
+        pass
+    elif written := _MEANT.get(pair) or _MEANT.get(said):
+        message = f"`{pair if pair in _MEANT else said}` is no operator; write `{written}`"
+    elif opened := _left_open(line, problem):
+        begun = line.text[opened.start : problem.start].rstrip()
+        message = f"`]` is missing before `{said}`; `{_short(begun)}` is open here"
+    elif said.startswith("("):
+        message = f"`{said}` stands inside an expression, where no comment may; write it before or behind the brackets"
+    else:
+        message = f"`{said}` is no operator{suggestion(said.upper(), _NAMES) or expected(problem)}"
+    yield Report(whole(problem), message)
 
 
-_MEANT = {"^": "; write `**`", "<": "; write `LT`", ">": "; write `GT`", "=": "; write `EQ`", "%": "; write `MOD`"}
+def _left_open(line: Line, problem: Problem) -> Token | None:
+    """The innermost open bracket, if nothing behind closes it, so that `]` must have been meant before what stands here."""
+    behind = line.text[problem.start :]
+    if behind.count("]") > behind.count("["):
+        return None
+    depth = 0
+    for part in reversed(line.node.tree.children):
+        if isinstance(part, Token) and part.kind in ("LSQB", "RSQB"):
+            depth += 1 if part.kind == "LSQB" else -1
+            if depth > 0:
+                return part
+    return None
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
+
+
+_SHOWN = 30
+_NAMES = ("MOD", "EQ", "NE", "GT", "GE", "LT", "LE", "AND", "OR", "XOR")
+_MEANT = {
+    "^": "**",
+    "<": "LT",
+    "<=": "LE",
+    ">": "GT",
+    ">=": "GE",
+    "=": "EQ",
+    "==": "EQ",
+    "!=": "NE",
+    "<>": "NE",
+    "%": "MOD",
+    "&&": "AND",
+    "||": "OR",
+    "&": "AND",
+    "|": "OR",
+}

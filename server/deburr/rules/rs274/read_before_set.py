@@ -45,6 +45,7 @@ from deburr.rules.rs274._files import World, world_of
 from deburr.rules.rs274._frame import is_part
 from deburr.rules.rs274._held import Role
 from deburr.rules.rs274._program import Use
+from deburr.rules.rs274._values import given
 
 ARGUMENTS = range(1, 31)
 FREE = range(31, 5001)
@@ -57,10 +58,15 @@ def check(analysis: Analysis) -> Iterator[Report]:
     reads = [use for use in world.main.uses if use.role is Role.READ and use.number is not None]
     if not reads or world.nested or world.is_library or analysis.settings["parameters"] or is_part(analysis):
         return
-    told: set[int | None] = set()
+    told = {int(said) for said in given(analysis) if said.isdecimal()}
     known = _known(world)
     for use in reads:
-        if use.number not in told and _is_unset(world, use, known) and not world.is_idle(use.line):
+        if (
+            use.number is not None
+            and use.number not in told
+            and _is_unset(world, use, known)
+            and not world.is_idle(use.line)
+        ):
             told.add(use.number)
             yield Report(use.span, f"nothing sets `#{use.number}`{_where(use)}; the control takes 0 for it", use.line)
 

@@ -1,7 +1,7 @@
 """Word or setting without a value.
 
 Every letter is followed by a value, and so is the `=` of a setting: a number, `#`, `[`, a
-function or a sign. The control finds no characters to read and stops.
+function or a sign. The control finds no characters to read and stops. The letter O is no digit.
 
 Source: spec/rs274.md §2
 
@@ -12,7 +12,9 @@ Bad:
     S(speed)100
     ^
     G0 X Y1
-       ^^
+       ^
+    G0 XO Y0
+       ^
 
 Good:
 
@@ -29,4 +31,10 @@ from deburr_grammar.problem import Problem
 @rule(Severity.ERROR, Syntax())
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the letter or sign that lacks its value."""
-    yield Report(whole(problem), f"`{line.said(problem).strip()}` has no value{expected(problem)}")
+    said, behind = line.said(problem), line.text[problem.end :].lstrip()[:1]
+    hint = f"; `{behind}` is the letter, for the digit write `0`" if behind in ("O", "o") else expected(problem)
+    if len(said) > 1:
+        hint = f": `{said[0]}` starts an O-word; text stands behind `;` or in `( )`"
+        yield Report(whole(problem), f"`{said}` has no number or name{hint}")
+    else:
+        yield Report(whole(problem), f"`{said}` has no value{hint}")
