@@ -75,6 +75,10 @@ class Document:
         table = shapes_of(dialect)
         return cls(dialect, grown([Chunk(text[a:b], table) for a, b in pairwise(cuts)]), size, given)
 
+    def under(self, given: frozenset[str]) -> Document:
+        """The same text under other facts from elsewhere."""
+        return self if given == self._given else Document(self.dialect, self._root, self._size, given)
+
     @property
     def text(self) -> str:
         """The whole text, to the character as it was given."""

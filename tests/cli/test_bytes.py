@@ -39,8 +39,8 @@ def test_decoding_never_fails(data, text, encoding):
 
 def test_a_byte_order_mark_is_no_column(shell):
     assert read(b"\xef\xbb\xbfM2") == Source("M2", bom=True)
-    program = b"\xef\xbb\xbfG21 G90 G17 (\xc3\xa4\xf0\x9f\x98\x80) F100 X[1/0]\nM2\n"
-    assert places(shell, program, "--ignore", "rs274.byte-order-mark") == [f"1:27: {ZERO}"]
+    program = b"\xef\xbb\xbfG21 G90 G17 (\xc3\xa4\xf0\x9f\x98\x80) G0 X[1/0]\nM2\n"
+    assert places(shell, program, "--ignore", "rs274.byte-order-mark") == [f"1:25: {ZERO}"]
 
 
 @pytest.mark.parametrize("start", [b"", b"\0\0", b"\n", b"\0\n"])
@@ -81,8 +81,8 @@ def test_padding_is_skipped_and_said(shell):
 
 
 def test_padding_moves_the_first_line_only(shell):
-    line = b"G21 G90 G17 F100 X[1/0]\nX[1/0] M2\x1a"
-    assert places(shell, b"\0\0" + line) == [f"1:1: {PADDING}", f"1:24: {ZERO}", f"2:5: {ZERO}", f"2:10: {PADDING}"]
+    line = b"G21 G90 G17 G0 X[1/0]\nX[1/0] M2\x1a"
+    assert places(shell, b"\0\0" + line) == [f"1:1: {PADDING}", f"1:22: {ZERO}", f"2:5: {ZERO}", f"2:10: {PADDING}"]
 
 
 def test_padding_is_shown(shell):

@@ -66,6 +66,12 @@ def test_lines_are_read_as_the_reference_says(line: str, tree: str) -> None:
         ("X[1+2", "expression-unclosed", "[1+2", ("`+` or `-`", "`]`", "an operator")),
         ("X[1 & 2]", "operator-unknown", "&", ("`+` or `-`", "`]`", "an operator")),
         ("o1 if[1]2", "o-extra-text", "2", ()),
+        ("o1 endif\xa0", "o-extra-text", "\xa0", ()),
+        ("o1 callsub [1]", "o-unknown", "callsub", ("`[`", "a comment")),
+        ("G0 XO Y0", "value-missing", "X", ("a number", "a parameter `#`", "`[`", "`+` or `-`", "a function")),
+        ("Z- F100", "value-missing", "-", ("a number", "a parameter `#`", "`[`", "`+` or `-`", "a function")),
+        ("X1 side 2", "function-unknown", "side", ("a number", "a parameter `#`", "`[`", "`+` or `-`", "a function")),
+        ("XFOO[1]", "function-unknown", "FOO", ("a number", "a parameter `#`", "`[`", "`+` or `-`", "a function")),
         ("o1 gosub", "o-unknown", "gosub", ("an O-word command", "a comment")),
         ("G0 N5", "line-number", "N", ("a parameter `#`", "a word", "a comment")),
         ("#1 5", "param-equal-missing", "#1 5", ("`=`",)),
@@ -135,12 +141,37 @@ def test_a_while_ends_a_do_of_its_label_and_opens_a_loop_otherwise() -> None:
         ("O01.0 if [1]", "1"),
         ("o<1> if [1]", "1"),
         ("o< A b > if [1]", "ab"),
+        ("o-100 if [1]", "-100"),
+        ("o - 01.0 if [1]", "-1"),
+        ("o--7 if [1]", "7"),
+        ("o+7 if [1]", "7"),
+        ("o-0 if [1]", "0"),
         ("o#1 if [1]", None),
+        ("o-#1 if [1]", None),
         ("o[1+1] if [1]", None),
     ],
 )
 def test_labels_are_compared_as_the_interpreter_does(line: str, label: str | None) -> None:
     assert [bracket.label for _, bracket in Document.parse(line, DIALECT).brackets()] == [label]
+
+
+@pytest.mark.parametrize(
+    ("line", "role", "kind", "label"),
+    [
+        ("o1 wend", "CLOSE", "while", "1"),
+        ("o<a> loop [3]", "OPEN", "repeat", "a"),
+        ("o#1 loop [3]", "OPEN", "repeat", None),
+        ("o1 endifs", "CLOSE", "if", "1"),
+        ("o1 elif [2]", "MIDDLE", "if", "1"),
+    ],
+)
+def test_a_misspelt_command_does_what_was_meant(line: str, role: str, kind: str, label: str | None) -> None:
+    ((_, bracket),) = Document.parse(line, DIALECT).brackets()
+    assert (bracket.role.name, bracket.kind, bracket.label) == (role, kind, label)
+
+
+def test_what_nobody_can_have_meant_does_nothing() -> None:
+    assert list(Document.parse("o1 foo\no1 gosub [1]\n", DIALECT).brackets()) == []
 
 
 def test_codes_in_their_canonical_spelling() -> None:

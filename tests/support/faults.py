@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from deburr.page import CARETS
-from support.pages import Example
+from support.pages import BYTES, Example
 
 FOLDER = Path(__file__).parents[1] / "faults"
 _HEAD = re.compile(r"^== (.+)$", re.M)
@@ -35,7 +35,8 @@ def faults(dialect: str) -> Iterator[Faulty]:
     (the line as it should read; it replaces the marked line, an empty one takes it away, `\\n` parts
     lines), where the end lacks a line `add:` with it, where a name must change from the
     marked line on `rename: OLD => NEW`, `oracle: runs` where the control runs the
-    faulty program, and settings (`profile: smithy`), a blank line, and the whole program with carets below what must be marked. `-- NAME --` starts another file.
+    faulty program, and settings (`profile: smithy`), a blank line, and the whole program with carets below what must be marked;
+    what cannot be seen is drawn as in rule pages. `-- NAME --` starts another file.
     """
     parts = _HEAD.split((FOLDER / f"{dialect}.txt").read_text(encoding="utf-8"))[1:]
     return (_fault(name, body) for name, body in zip(parts[::2], parts[1::2], strict=True))
@@ -56,7 +57,8 @@ def _fault(name: str, body: str) -> Faulty:
     below = [line.replace(old, "\n".join(_parts(new))) if old else line for line in lines[first + 1 :]]
     mended = [*lines[:first], *_parts(mend), *below, *added]
     texts = {file: "\n".join(text) + "\n" for file, text in files.items()}
-    example = Example(False, "\n".join(lines) + "\n", texts, settings, tuple(places))
+    text = "\n".join(lines).translate(BYTES) + "\n"
+    example = Example(False, text, texts, settings, tuple(places))
     return Faulty(name, rule, tuple(says.split("|")), example, "\n".join(mended) + "\n", runs)
 
 

@@ -23,13 +23,14 @@ MAIN, TABLE, STORED = "main.ngc", "tools.tbl", "p.var"
 RULES = RuleSet(DIALECT, {"axes": "XYZABC", "tool-table": TABLE, "parameters": STORED})
 """The settings under which deburr is the machine that the stand-alone interpreter is."""
 INPUTS = Inputs(simulate=True, decimals=EXACT, block_delete=False)
-TOOLS = "".join(f"T{number} P{number} D0.001\n" for number in range(1, 100))
+TOOLS = "".join(f"T{number} P{number} D0.001\n" for number in range(3, 100)) + "T1 P1 Z1.5 D0.25\nT2 P2 X0.5 Z-0.25 D0.5 I1 J2 Q3\n"
 SECONDS = 4
 _MEMORY = Path("/dev/shm")
 """The interpreter waits for a disk each time that it writes its parameters."""
 _CALL = re.compile(r" *\d+ N[0-9.]+ +(.*)")
 _MINUS_ZERO = re.compile(r"-(0\.0+)(?![0-9])")
 _TAG = re.compile(r"N(\d+)|;(\d+)\s*$", re.I)
+_SEEKING = re.compile(r"EOF in file:.* seeking o-word: .* from line: ([1-9][0-9]*)$")
 _MESSAGE = re.compile(r"^\d+: ")
 Place = tuple[str, int]
 
@@ -46,8 +47,8 @@ class Ran:
     @property
     def tagged(self) -> int | None:
         """The row of the fault, if lines carry their numbers (1-based) as N words or behind a `;`."""
-        tag = _TAG.search(self.echo)
-        return int(tag[1] or tag[2]) - 1 if tag is not None else None
+        tag = _SEEKING.match(self.message) or _TAG.search(self.echo)
+        return int(tag[tag.lastindex or 0]) - 1 if tag is not None else None
 
 
 @dataclass(frozen=True)
@@ -87,8 +88,11 @@ class Case:
     @cached_property
     def refused(self) -> frozenset[Place]:
         """Where deburr refuses it: before a run, or at the line that a run cannot pass. Empty: it is expanded."""
-        if self.wrong:
-            return self.wrong
+        return self.wrong or self.stopped
+
+    @cached_property
+    def stopped(self) -> frozenset[Place]:
+        """The line that a run cannot pass."""
         return frozenset((fault.file, fault.line) for fault in self.expansion.faults if is_error(fault.kind))
 
     @property
@@ -154,8 +158,8 @@ def verdict(case: Case) -> str:
         return f"refused here: {case.refused} {_said(case)}" if case.refused else difference(case, original)
     if not case.refused:
         return f"refused there: {original.message} at {original.echo!r}"
-    row = original.tagged
-    if row is not None and (MAIN, row) not in case.refused and not any(file != MAIN for file, _ in case.refused):
+    row, places = original.tagged, case.wrong | case.stopped
+    if row is not None and (MAIN, row) not in places and not any(file != MAIN for file, _ in places):
         return f"refused there in line {row + 1}: {original.message}; here {sorted(case.refused)} {_said(case)}"
     return ""
 

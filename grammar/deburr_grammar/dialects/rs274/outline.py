@@ -5,9 +5,10 @@ from collections.abc import Callable, Hashable, Iterator
 from typing import NamedTuple
 
 from deburr_grammar.codes import code_number
-from deburr_grammar.dialects.rs274.commands import meant
 from deburr_grammar.dialect import Bracket, Reading, Role, Step
+from deburr_grammar.dialects.rs274.commands import meant
 from deburr_grammar.line import LineNode
+from deburr_grammar.problem import Problem
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
@@ -53,8 +54,8 @@ _COMMANDS = {
     "CONTINUE": (Role.MIDDLE, "loop"),
     "RETURN": (Role.MIDDLE, "sub"),
 }
-_MEANT = {kind.lower(): command for kind, command in _COMMANDS.items()}
 _BLANKS = re.compile(r"[ \t]+")
+_INTEGER = re.compile(r"([-+]*)<?([0-9]+)(?:\.0*)?>?")
 
 
 class RS274Outline:
@@ -126,36 +127,43 @@ def _behind(state: State, bracket: Bracket) -> State:
 def _bracket(line: LineNode, state: State) -> Bracket | None:
     # Of a faulty line the parts that were read stand directly in the tree: it still opens or closes its block.
     o_line = next(line.find("o_line"), line.tree)
-    letter, label, command = o_line.find("O"), o_line.node("label"), _command(line, o_line)
-    if command is None or letter is None or label is None:
+    misspelt = next((problem for problem in line.problems if problem.kind == "o-unknown"), None)
+    if misspelt is not None:
+        return _misspelt(line.text, o_line, misspelt, state)
+    command = next((part for part in o_line.children if isinstance(part, Token) and part.kind in _COMMANDS), None)
+    label, letter = o_line.node("label"), o_line.find("O")
+    if command is None or label is None or letter is None:
         return None
-    word, word_meant, end = command
-    role, kind = _MEANT[word_meant]
     name = label_of(line.text, label)
-    if word_meant == "while" and name in state.dos:
-        role, kind = Role.CLOSE, "do"
-    return Bracket(role, kind, word, name, Span(letter.start, end))
+    return Bracket(*_does(command.kind, name, state), command.kind.lower(), name, Span(letter.start, command.end))
 
 
-def _command(line: LineNode, o_line: Node) -> tuple[str, str, int] | None:
-    """The command as it is said, the one that it means, and where it ends. A misspelled one opens or closes what the right one would."""
-    for problem in line.problems:
-        if problem.kind == "o-unknown":
-            word = line.text[problem.start : problem.end]
-            return (word, meant(word), problem.end) if meant(word) in _MEANT else None
-    for part in o_line.children:
-        if isinstance(part, Token) and part.kind in _COMMANDS:
-            return part.kind.lower(), part.kind.lower(), part.end
-    return None
+def _misspelt(text: str, tree: Node, problem: Problem, state: State) -> Bracket | None:
+    """A command that does not exist opens or closes what the one would that was likely meant; it keeps its own spelling."""
+    word = text[problem.start : problem.end]
+    command = meant(word).upper()
+    letter = tree.find("O")
+    if command not in _COMMANDS or letter is None:
+        return None
+    # What was read last may not have been taken for a label yet.
+    parts = tuple(part for part in tree.children if letter.end <= part.start and part.end <= problem.start)
+    label = tree.node("label") or Node("label", letter.end, problem.start, parts)
+    name = label_of(text, label)
+    return Bracket(*_does(command, name, state), word, name, Span(letter.start, problem.end))
+
+
+def _does(command: str, name: str | None, state: State) -> tuple[Role, str]:
+    return (Role.CLOSE, "do") if command == "WHILE" and name in state.dos else _COMMANDS[command]
 
 
 def label_of(text: str, label: Node) -> str | None:
     """An O-word's label as the interpreter compares it; None for one that only the run knows (`o[#1+2]`)."""
     only = label.children[0]
-    if len(label.children) == 1 and isinstance(only, Token):
-        said = _BLANKS.sub("", text[only.start : only.end]).strip("<>").lower()
-        return said.partition(".")[0].lstrip("0") or "0" if re.fullmatch(r"[0-9]+\.?0*", said) else said
-    return None
+    said = _BLANKS.sub("", text[label.start : label.end])
+    if number := _INTEGER.fullmatch(said):
+        digits = number[2].lstrip("0") or "0"
+        return f"-{digits}" if number[1].count("-") % 2 and digits != "0" else digits
+    return said.strip("<>").lower() if len(label.children) == 1 and isinstance(only, Token) else None
 
 
 def codes(line: LineNode) -> Iterator[tuple[str, Node]]:

@@ -35,6 +35,8 @@ WORDS = {
 
 _LETTERS = re.compile(r"[A-Za-z](?:[ \t]*[A-Za-z])*")
 _NAME = re.compile(r"[A-Za-z]+")
+_BLANK = " \t\f\v"
+"""What the interpreter takes off the end of a line."""
 _DIGITS = re.compile(r"[0-9. \t]*[0-9.]")
 
 
@@ -83,7 +85,7 @@ def _name(fault: SyntaxFault) -> Place | None:
     before = fault.before
     if fault.text[fault.start : fault.start + 1] != "<" or before is None or before.kind not in ("HASH", "O"):
         return None
-    return "named-unterminated", before.start, len(fault.text.rstrip())
+    return "named-unterminated", before.start, len(fault.text.rstrip(_BLANK))
 
 
 def _line_number(fault: SyntaxFault) -> Place | None:
@@ -95,7 +97,7 @@ def _line_number(fault: SyntaxFault) -> Place | None:
 
 def _o_word(fault: SyntaxFault) -> Place | None:
     if _letter(fault) == "o" and _between_words(fault):
-        return "o-extra-text", fault.start, len(fault.text.rstrip())
+        return "o-extra-text", fault.start, len(fault.text.rstrip(_BLANK))
     if fault.inside("O") is None or _group(fault) is not None:
         return None
     before = fault.before
@@ -103,12 +105,12 @@ def _o_word(fault: SyntaxFault) -> Place | None:
     if before.kind in ("IF", "ELSEIF", "WHILE", "REPEAT"):
         return "o-condition", before.start, before.end
     if before.kind in ("O", "HASH", "SIGN"):
-        return "value-missing", before.start, _run(fault, _LETTERS) if _letter(fault).isalpha() else before.end
+        return "value-missing", before.start, _run(fault, _NAME) if _letter(fault).isalpha() else before.end
     if "SUB" in fault.expected:
         return "o-unknown", fault.start, _run(fault, _LETTERS)
     if before.kind in _COMMANDS and before.end == fault.start and _letter(fault).isalpha():
         return "o-unknown", before.start, _run(fault, _NAME)
-    return "o-extra-text", fault.start, len(fault.text.rstrip())
+    return "o-extra-text", fault.start, len(fault.text.rstrip(_BLANK))
 
 
 def _function(fault: SyntaxFault) -> Place | None:
@@ -168,7 +170,7 @@ def _behind_value(fault: SyntaxFault) -> Place:
         param = _last(fault, "param") or fault.inside("HASH")
         return "param-equal-missing", param.start if param else fault.start, fault.start
     if fault.inside("PERCENT") is not None or char == "%":
-        return "percent", fault.start, len(fault.text.rstrip())
+        return "percent", fault.start, len(fault.text.rstrip(_BLANK))
     if char == "/":
         after = fault.text[fault.end :].lstrip(" \t")[:1]
         deletes = before is None or before.kind == "DELETE" or after.isalpha() or after in ("", "#", "(", ";", "%")

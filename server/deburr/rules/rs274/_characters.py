@@ -5,6 +5,9 @@ import unicodedata
 _ALIKE = dict(zip("АВЕКМНОРСТУХΑΒΕΖΗΙΚΜΝΟΡΤΥΧ×÷∗∕", "ABEKMHOPCTYXABEZHIKMNOPTYX*/*/"))
 """Cyrillic and Greek capitals and signs of arithmetic, with what an ASCII keyboard has for them."""
 
+_MEANING = "+-*/.#=[]<>();%@^$"
+"""The signs that programs are made of (spec/rs274.md §1)."""
+
 
 def foreign(char: str) -> str:
     """What a message says of a character that no program has outside comments; "" of one from an ASCII keyboard."""
@@ -24,7 +27,7 @@ def alike(char: str) -> str:
     if char == "\N{MINUS SIGN}" or unicodedata.category(char) == "Pd":
         return "-"
     plain = unicodedata.normalize("NFKC", char)
-    if len(plain) == 1 and plain.isascii():
+    if len(plain) == 1 and plain.isascii() and (plain.isalnum() or plain in _MEANING):
         return plain
     upper = _ALIKE.get(char.upper(), "")
     return upper if char.upper() == char else upper.lower()

@@ -29,6 +29,7 @@ import re
 from collections.abc import Iterator
 
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
+from deburr.rules.rs274._characters import foreign
 from deburr_grammar.problem import Problem
 
 
@@ -36,7 +37,9 @@ from deburr_grammar.problem import Problem
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the text."""
     text = line.said(problem)
-    if text[0] in "oO" and line.text[: problem.start][-1:].isdigit():
+    if strange := foreign(text[0]):
+        message = strange
+    elif text[0] in "oO" and line.text[: problem.start][-1:].isdigit():
         message = (
             f"`{text}` would be an O-word, which shares its line with nothing; for the digit write `0`, not `{text[0]}`"
         )

@@ -1,0 +1,91 @@
+"""A server in this process: messages go in as bytes, and what it says is kept. Its loop runs only when it is asked to settle."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from typing import Any
+
+from deburr.lsp.client import client_of
+from deburr.lsp.server import Server
+from deburr.lsp.stream import Frames
+
+Json = dict[str, Any]
+
+
+class Inside:
+    """A server and what it has said. Anything that it logs as its own fault fails the test."""
+
+    def __init__(self, capabilities: Json | None = None, **params: Any) -> None:
+        self.loop = asyncio.new_event_loop()
+        self.said: list[Json] = []
+        self._frames = Frames()
+        self._number = 0
+        client = client_of({"capabilities": capabilities or {}, **params})
+        self.server = Server(client, self, self.loop)
+
+    def __enter__(self) -> Inside:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.loop.close()
+
+    def receive(self) -> bytes:
+        """Nothing: messages come in by `send`."""
+        return b""
+
+    def write(self, data: bytes) -> None:
+        """What the server says."""
+        for body in self._frames.feed(data):
+            message = json.loads(body)
+            assert message.get("method") != "window/logMessage", message["params"]["message"]
+            self.said.append(message)
+
+    def close(self) -> None:
+        """Nothing is held."""
+
+    def notify(self, method: str, params: Any) -> None:
+        """A notification; the server has dealt with it, but for what it does in its spare time."""
+        self._send({"method": method, "params": params})
+
+    def request(self, method: str, params: Any) -> Any:
+        """A request and its result, or the error that it was refused with."""
+        self._number += 1
+        self._send({"id": self._number, "method": method, "params": params})
+        for _ in range(100):
+            for message in self.said:
+                if message.get("id") == self._number and "method" not in message:
+                    self.said.remove(message)
+                    return message["result"] if "result" in message else message["error"]
+            self.settle()
+        raise AssertionError(f"no answer to {method}")
+
+    def open(self, uri: str, text: str, language: str) -> None:
+        """Open a document."""
+        item = {"uri": uri, "languageId": language, "version": 1, "text": text}
+        self.notify("textDocument/didOpen", {"textDocument": item})
+
+    def pushed(self, uri: str) -> list[str]:
+        """The rules of the diagnostics that were pushed last for a document; the server has done all that it had to do."""
+        self.settle()
+        found = [each["params"] for each in self.said if each.get("method") == "textDocument/publishDiagnostics"]
+        last = [each["diagnostics"] for each in found if each["uri"] == uri]
+        return [each["code"] for each in last[-1]] if last else []
+
+    def settle(self) -> None:
+        """Let the server do all that it has to do."""
+        self.loop.run_until_complete(self._idle())
+
+    async def _idle(self) -> None:
+        await asyncio.sleep(0)
+        while self.server.idle.waits or self.server.checks.waits:
+            await asyncio.sleep(0 if self.server.idle.waits else 0.01)
+        await asyncio.sleep(0)
+
+    def _send(self, message: Json) -> None:
+        body = json.dumps({"jsonrpc": "2.0", **message}).encode()
+        self.loop.run_until_complete(self._receive(body))
+
+    async def _receive(self, body: bytes) -> None:
+        self.server.receive(body)
+        await asyncio.sleep(0)
