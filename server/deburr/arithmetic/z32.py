@@ -1,10 +1,12 @@
 """Z32's arithmetic on IEEE doubles (spec/z32.md §4, §11): operators, functions, rounding, comparison, polar conversion."""
 
 import math
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from decimal import ROUND_HALF_UP, Decimal
 
-from deburr.arithmetic import ArithmeticFault
+from deburr.arithmetic import ArithmeticFault, Refusal
+from deburr_grammar.dialects.z32.forms import number
 from deburr_grammar.tree import Node, Token
 
 Value = float | ArithmeticFault | None
@@ -16,6 +18,16 @@ CLOSE = 1e-9
 """How far apart, relative to the larger, two equal values may be: the control keeps nine digits."""
 NEAR_INTEGER = 1e-6
 """How far from an integer an index or a program number may be."""
+
+
+def operation(sign: str) -> Callable[[float, float], float]:
+    """What `+`, `-`, `*` or `/` does with two numbers; what the control refuses is a `Refusal`."""
+    return _OPERATIONS[sign]
+
+
+def function(name: str) -> Callable[[float], float]:
+    """The function of that name, in upper case; what the control refuses is a `Refusal`."""
+    return _FUNCTIONS[name]
 
 
 def constant(text: str, part: Node | Token) -> Value:
@@ -46,14 +58,14 @@ def evaluate(text: str, part: Node | Token, read: Read) -> Value:
             return read(part)
 
 
-def number(text: str) -> float:
-    """A written number: the decimal sign is a point or a comma."""
-    return float(text.replace(",", "."))
-
-
 def nearest(value: float) -> float:
     """The nearest integer, halves away from 0. Rounded is the shortest decimal text of the double, which is what a person sees."""
     return float(Decimal(repr(value)).to_integral_value(ROUND_HALF_UP))
+
+
+def shown(value: float) -> str:
+    """A value as a person writes it."""
+    return f"{value:.9g}"
 
 
 def integer(value: float) -> int | None:
@@ -132,21 +144,50 @@ _TANGENTS = {
 }
 
 
-def _root(value: float) -> float | None:
-    return math.sqrt(value) if value >= 0 else None
+_MOST = sys.float_info.max
 
 
-_FUNCTIONS: Mapping[str, Callable[[float], float | None]] = {
+def _finite(value: float) -> float:
+    if -_MOST <= value <= _MOST:
+        return value
+    raise Refusal("domain", "a result beyond the largest number")
+
+
+def _quotient(a: float, b: float) -> float:
+    if b == 0.0:
+        raise Refusal("divide-by-zero", "a division by zero")
+    return _finite(a / b)
+
+
+def _tangent(degrees: float) -> float:
+    value = tangent(degrees)
+    if value is None:
+        raise Refusal("domain", "the tangent of an odd multiple of 90 degrees")
+    return _finite(value)
+
+
+def _root(value: float) -> float:
+    if value < 0:
+        raise Refusal("domain", "the square root of a negative number")
+    return math.sqrt(value)
+
+
+_OPERATIONS: Mapping[str, Callable[[float, float], float]] = {
+    "+": lambda a, b: _finite(a + b),
+    "-": lambda a, b: _finite(a - b),
+    "*": lambda a, b: _finite(a * b),
+    "/": _quotient,
+}
+_FUNCTIONS: Mapping[str, Callable[[float], float]] = {
     "SN": sine,
     "CS": cosine,
-    "TAN": tangent,
+    "TAN": _tangent,
     "AT": lambda x: math.degrees(math.atan(x)),
     "ABS": abs,
     "INT": lambda x: float(math.trunc(x)),
     "NEI": nearest,
     "RQ": _root,
 }
-_UNDEFINED = {"RQ": "the square root of a negative number", "TAN": "the tangent of an odd multiple of 90 degrees"}
 
 
 def _function(text: str, part: Node, read: Read) -> Value:
@@ -154,8 +195,10 @@ def _function(text: str, part: Node, read: Read) -> Value:
     value = evaluate(text, argument, read)
     if not isinstance(value, float):
         return value
-    result = _FUNCTIONS[name](value)
-    return ArithmeticFault("domain", part, _UNDEFINED[name]) if result is None else result
+    try:
+        return function(name)(value)
+    except Refusal as refused:
+        return ArithmeticFault(refused.rule, part, refused.why)
 
 
 def _chain(text: str, part: Node, read: Read) -> Value:
@@ -174,16 +217,9 @@ def _chain(text: str, part: Node, read: Read) -> Value:
 
 def _total(part: Node, values: Sequence[float], signs: Sequence[str]) -> Value:
     total = values[0]
-    for sign, value in zip(signs, values[1:]):
-        match sign:
-            case "+":
-                total += value
-            case "-":
-                total -= value
-            case "*":
-                total *= value
-            case _:
-                total /= value
-        if not math.isfinite(total):
-            return ArithmeticFault("domain", part, "a result beyond the largest number")
+    try:
+        for sign, value in zip(signs, values[1:]):
+            total = operation(sign)(total, value)
+    except Refusal as refused:
+        return ArithmeticFault(refused.rule, part, refused.why)
     return total

@@ -149,15 +149,20 @@ class Flat:
 
 def flat_of(programs: Sequence[Opened], terms: Terms, lines: IO[bytes]) -> Flat:
     """Check the programs, run them into a file, and say on stderr what is wrong."""
-    flat = Flat(programs, terms, lines, terms.eol or _eol(programs[0].source.text))
+    flat = Flat(programs, terms, lines, terms.eol or source.eol_of(programs[0].source.text))
     found = [finding for program in programs for finding in _checked(program, terms.inputs)]
-    if len(programs) > 1 and getattr(interpreter(programs[0].dialect.name), "CHECKS", False):
-        # What is wrong with one by itself may be right where they are joined.
+    module = interpreter(programs[0].dialect.name)
+    if getattr(module, "ONLY_WHAT_RUNS", False) or (len(programs) > 1 and getattr(module, "CHECKS", False)):
+        # What is wrong where it never runs is no error here, and what is wrong with one by itself may be right where they are joined.
         found = [finding for finding in found if finding.severity < Severity.ERROR]
     if any(finding.severity is Severity.ERROR for finding in found):
         flat.whole = False
     else:
-        found += _run(flat)
+        # What a check warned of and a run then stops at is said once, as what it has become.
+        said = {(finding.rule, finding.place): finding.severity for finding in found}
+        met = [each for each in _run(flat) if each.severity > said.get((each.rule, each.place), -1)]
+        worse = {(finding.rule, finding.place) for finding in met}
+        found = [*(each for each in found if (each.rule, each.place) not in worse), *met]
     shown = [finding for finding in found if finding.severity is Severity.ERROR or not terms.quiet]
     _say([finding for finding in shown if finding.severity > Severity.INFO], programs)
     return flat
@@ -210,12 +215,6 @@ def _say(found: list[Finding], programs: Sequence[Opened]) -> None:
     errors = sum(finding.severity is Severity.ERROR for finding in found)
     if errors:
         complain(f"nothing was written: {errors} error{'s' if errors > 1 else ''}", "")
-
-
-def _eol(text: str) -> str:
-    """The line end of a text: its first one."""
-    at = min((place for place in (text.find("\n"), text.find("\r")) if place >= 0), default=-1)
-    return "\n" if at < 0 else "\r\n" if text.startswith("\r\n", at) else text[at]
 
 
 class _replacing:

@@ -2,4 +2,7 @@
 
 from deburr.expand.z32.run import run, worth_running
 
-__all__ = ["run", "worth_running"]
+CHECKS = True
+ONLY_WHAT_RUNS = True
+"""Of lines that never run only the form is judged (spec/z32.md §11)."""
+__all__ = ["CHECKS", "ONLY_WHAT_RUNS", "run", "worth_running"]

@@ -213,11 +213,13 @@ class Block:
         return put
 
     def _uncertain(self, run: Op) -> Op:
-        """An optional block that is kept: what it sets is not known behind it."""
-        state = self._state
+        """An optional block that is kept: what it sets is not known behind it, nor whether M2 or M30 in it ended the run."""
+        state, ends, calculated = self._state, self._ends, self._calculates_m
 
         def kept() -> int:
+            before, state.unsure = state.unsure, True
             behind = run()
+            state.unsure = before or ends or (calculated and state.params["M"] in _ENDS)
             for name in [each() for each in self._sets]:
                 state.params.pop(name, None)
                 state.uncertain.add(name)

@@ -25,30 +25,7 @@ def advanced(flow: Flow, unit: Unit, row: int, node: LineNode) -> Op:
     """An advanced line."""
     fields = Fields(flow, unit, row, node)
     groups = [[fields.step(field) for field in group] for group in _groups(next(node.find("advanced")))]
-    behind = row + 1
-    if len(groups) == 1:
-        (steps,) = groups
-
-        def executed() -> int:
-            for step in steps:
-                found = step()
-                if found is not None:
-                    return behind if found == SKIP else found
-            return behind
-
-        return executed
-
-    def executed_by_groups() -> int:
-        for group in groups:
-            for step in group:
-                found = step()
-                if found is not None:
-                    if found == SKIP:
-                        break
-                    return found
-        return behind
-
-    return executed_by_groups
+    return _one_group(groups[0], row + 1) if len(groups) == 1 else _several_groups(groups, row + 1)
 
 
 class Fields:
@@ -134,3 +111,28 @@ def _groups(line: Node) -> list[list[Node]]:
         elif part.kind == "BANG":
             found.append([])
     return found
+
+
+def _one_group(steps: list[Step], behind: int) -> Op:
+    def executed() -> int:
+        for step in steps:
+            found = step()
+            if found is not None:
+                return behind if found == SKIP else found
+        return behind
+
+    return executed
+
+
+def _several_groups(groups: list[list[Step]], behind: int) -> Op:
+    def executed() -> int:
+        for group in groups:
+            for step in group:
+                found = step()
+                if found is not None:
+                    if found == SKIP:
+                        break
+                    return found
+        return behind
+
+    return executed

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 from deburr.arithmetic.z32 import shown
 from deburr.expand.z32.form import judge
 from deburr.expand.z32.programs import Programs
-from deburr.expand.z32.state import DEEPEST, ELSEWHERE, END, WAITING, Activation, Place, Return, State
+from deburr.expand.z32.state import DEEPEST, ELSEWHERE, END, WAITING, Activation, Pending, Place, Return, State
 from deburr.fault import Entered, Frame
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable
 
     from deburr.expand.z32.fields import Step
     from deburr.expand.z32.unit import Op, Program, Unit
@@ -32,7 +32,8 @@ class Flow:
 
     def jump(self, field: Node, row: int, values: Values) -> Step:
         """`GONn` and `GONn-Nm`."""
-        target = self._target(field.children[1], row, values, "jump-target-missing")
+        part = field.children[1]
+        target = self._target(part, row, values, values.place(part), "jump-target-missing")
         end = field.node("range_end")
         if end is not None:
             return self._range(field, row, values, target)
@@ -100,9 +101,9 @@ class Flow:
         """The end of the run: returns that are still pending never happen."""
         state = self.state
         for call in reversed(state.calls):
-            self._open(state.pending)
+            self._open(state.pending.all())
             state.pending = call.pending
-        self._open(state.pending)
+        self._open(state.pending.all())
 
     def around(self, unit: Unit, row: int, op: Op) -> Op:
         """A line with what happens besides: a loop starts or has been left there, a jump returns from there."""
@@ -126,23 +127,22 @@ class Flow:
         state = self.state
 
         def returned() -> int:
-            found = next((each for each in reversed(state.pending) if each.end == row), None)
+            found = state.pending.take(row)
             if found is None:
                 return op()
-            state.pending.remove(found)
-            calls, waiting = len(state.calls), len(state.pending)
+            calls, waiting = len(state.calls), state.pending.count
             to = op()
             if to == END or len(state.calls) < calls:
+                self._open((found,))
                 return to
-            _, behind, loop, frame, *_ = found
             if len(state.calls) > calls:
-                state.calls[-1] = state.calls[-1]._replace(behind=behind, loop=loop, frame=frame)
+                state.calls[-1] = state.calls[-1]._replace(behind=found.behind, loop=found.loop, frame=found.frame)
                 return to
-            if len(state.pending) > waiting:
-                state.pending[-1] = state.pending[-1]._replace(behind=behind, loop=loop, frame=frame)
+            if state.pending.count > waiting:
+                state.pending.redirect(found)
                 return to
-            state.loop, state.frame = loop, frame
-            return behind
+            state.loop, state.frame = found.loop, found.frame
+            return found.behind
 
         return returned
 
@@ -150,9 +150,9 @@ class Flow:
         last = field.node("range_end")
         assert last is not None
         state = self.state
-        end = self._target(last.children[1], row, values, "range-end-missing")
         file = values.place(field).file
         place = Place(file, row, Span(last.start + 1, last.end))
+        end = self._target(last.children[1], row, values, place, "range-end-missing")
         said = values.said(field)
 
         def jumped() -> int:
@@ -161,29 +161,29 @@ class Flow:
             if until not in unit.ends:
                 unit.ends.add(until)
                 unit.code[until] = None
-            if len(state.pending) == WAITING:
+            if state.pending.count == WAITING:
                 message = f"{WAITING:,} jumps wait for a return that never comes, the last of them `{said}`"
                 raise state.fault("limit", place, message)
-            state.pending.append(Return(until, row + 1, state.loop, state.frame, place, said))
+            state.pending.push(Return(until, row + 1, state.loop, state.frame, place, said))
             state.frame = Frame(state.frame, file, row, Entered.JUMP, 0)
             state.loop = None
             return to
 
         return jumped
 
-    def _target(self, part: Node | Token, row: int, values: Values, missing: str) -> Callable[[], int]:
+    def _target(self, part: Node | Token, row: int, values: Values, place: Place, missing: str) -> Callable[[], int]:
         """The line of a block number, looked for in the program that runs."""
         state, get, computed = self.state, values.value(part), part.kind == "angle"
-        known: dict[tuple[int, float], int] = {}
+        known: dict[tuple[int, int, float], int] = {}
 
         def found() -> int:
             program, value = state.program, get()
-            key = (program.first, value)
+            key = (program.first, program.last, value)
             to = known.get(key)
             if to is None:
                 if len(known) > WAITING:
                     known.clear()
-                to = known[key] = self._row_of(program, row, value, computed, values.place(part), missing)
+                to = known[key] = self._row_of(program, row, value, computed, place, missing)
             return to
 
         return found
@@ -226,32 +226,43 @@ class Flow:
             self._judged.add(program.unit)
             judge(state.job, program.unit, frame)
         state.calls.append(Activation(state.program, row + 1, state.loop, state.frame, state.pending, place, said))
-        state.program, state.loop, state.frame, state.pending = program, None, frame, []
+        state.program, state.loop, state.frame, state.pending = program, None, frame, Pending()
         state.row = program.first
         return ELSEWHERE
 
     def _leave(self) -> int:
         state = self.state
-        self._open(state.pending)
+        self._open(state.pending.all())
         call = state.calls.pop()
         state.program, state.loop, state.frame, state.pending = call.program, call.loop, call.frame, call.pending
         state.row = call.behind
         return ELSEWHERE
 
-    def _open(self, pending: Sequence[Return]) -> None:
+    def _open(self, pending: Iterable[Return]) -> None:
         """Say of each jump that waits for a return that it does not come."""
         for each in pending:
-            message = f"the program ended before it came to the last block of `{each.said}`, so what stands behind this jump was not done"
+            message = f"the program ended before `{each.said}` came back, so what stands behind this jump was not done"
             self.state.warn("range-open-at-end", each.place, message)
 
     def _missing(self, program: Program, call: Activation) -> None:
         """Say that a program has no G26: at its last block, or at the call if it stands in another file."""
         if program.unit is not self.state.main:
             message = f"what `{call.said}` calls runs off the end of its file; `G26` is missing there"
-            self.state.warn("g26-missing", call.place, message)
+            self.state.warn("g26-missing", self._first_call(call), message)
             return
         row = program.unit.last_block(program)
         text = program.unit.document.line(row)
         span = Span(len(text) - len(text.lstrip()), len(text.rstrip()))
         message = f"the section that `{call.said}` calls runs off its end; `G26` is missing behind this block"
         self.state.warn("g26-missing", Place(program.unit.file, row, span), message)
+
+    def _first_call(self, call: Activation) -> Place:
+        """Where a program says for the first time what a call says."""
+        unit = call.program.unit
+        for row in unit.rows_with("call", "file_call"):
+            node = unit.document.node(row)
+            for field in node.find("call", "file_call"):
+                if node.text[field.start : field.end] == call.said:
+                    part = field.children[1]
+                    return Place(unit.file, row, Span(part.start, part.end))
+        return call.place

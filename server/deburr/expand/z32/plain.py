@@ -28,14 +28,14 @@ class Plain:
         self._match = pattern.fullmatch
         self._cut = cut
 
-    def read(self, text: str, keep_n: bool) -> tuple[str, Mapping[str, float]] | None:
-        """The flat text of a line and what it stores."""
+    def read(self, text: str, keep_n: bool, stores: bool) -> tuple[str, Mapping[str, float]] | None:
+        """The flat text of a line, and what it stores if that is wanted."""
         match = self._match(text)
         if match is None:
             return None
         indent, numbered, body, *values = match.groups()
         flat = indent + numbered + body if keep_n else indent + body
-        stored = {name: number(value) for name, value in zip(self._names, values)}
+        stored = {name: number(value) for name, value in zip(self._names, values)} if stores else {}
         return flat.rstrip(" \t") if self._cut else flat, stored
 
 
@@ -72,10 +72,9 @@ def _made(node: LineNode) -> Plain | None:
                 end, cut = part.start, True
             case _:
                 return None
-    if not written:
-        return None
-    pattern = f"({_pattern(text[:start])})({_pattern(text[start:body])})({''.join(_body(text, body, end, values))})"
-    return Plain(tuple(names), re.compile(pattern + (".*" if cut else "")), cut)
+    parts = (_pattern(text[:start]), _pattern(text[start:body]), "".join(_body(text, body, end, values)))
+    pattern = "({})({})({})".format(*parts) + (".*" if cut else "")
+    return Plain(tuple(names), re.compile(pattern), cut) if written else None
 
 
 def _is_literal(part: Node | Token, letter: str) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from deburr.arithmetic.z32 import shown
 from deburr.expand.z32.blocks import Block, copied, optional, undecided
 from deburr.expand.z32.fields import advanced
 from deburr.expand.z32.flow import Flow
@@ -58,6 +59,9 @@ class Run:
         self._job = job
         self._state = State(job, unit)
         self._flow = Flow(self._state)
+        self._keep_n = job.inputs.keep_n
+        self._reads = worth_running(unit.document)
+        """Whether anything that is stored may be read."""
         first_values(self._state)
 
     def all(self) -> Iterator[None]:
@@ -99,7 +103,7 @@ class Run:
             message = f"`{node.text[problem.start : problem.end]}` cannot be read here; the control stops"
             raise self._state.fault(problem.kind, place, message)
         found = plain_of(node)
-        if found is not None and (read := found.read(node.text, self._job.inputs.keep_n)) is not None:
+        if found is not None and (read := found.read(node.text, self._keep_n, self._reads)) is not None:
             return copied(self._state, unit, row, *read)
         if "advanced" not in kinds:
             returns = next((word for word in node.find("g_word") if word.children[0].kind == "G26"), None)
@@ -114,8 +118,9 @@ class Run:
         loop, frame = self._state.loop, self._state.frame
         if loop is None or frame is None or frame.kind is not Entered.LOOP:
             return ""
-        text = unit.document.line(loop.last).strip()
-        return f"pass {frame.number:,} of the loop from line {loop.first + 1} to `{text}` of line {loop.last + 1}{self._last_values(unit, loop.last)}"
+        row = unit.jumps_back[loop.first]
+        text = unit.document.line(row).strip()
+        return f"pass {frame.number:,} of the loop from line {loop.first + 1} to `{text}` of line {row + 1}{self._last_values(unit, row)}"
 
     def _last_values(self, unit: Unit, row: int) -> str:
         """The values in the conditions of a line that jumps back."""
@@ -127,5 +132,5 @@ class Run:
                     said[values.said(part)] = values.value(part)()
                 except Halt:
                     continue
-        known = [f"`{name}` = {value:g}" for name, value in said.items() if not name.replace(".", "").isdigit()]
+        known = [f"`{name}` = {shown(value)}" for name, value in said.items() if not name.replace(".", "").isdigit()]
         return f" with {' and '.join(known)}" if known else ""

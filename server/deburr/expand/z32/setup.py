@@ -41,6 +41,8 @@ def first_values(state: State) -> None:
 def _configuring(state: State) -> Iterator[tuple[int, LineNode]]:
     """The `$FCEPP` lines before the first block; an emulator reads them in the title too."""
     document = state.main.document
+    if "$" not in document.text:
+        return
     for row in range(min(state.main.first_block, document.line_count)):
         node = document.node(row)
         if "$" not in node.text:

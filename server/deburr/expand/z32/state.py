@@ -9,6 +9,8 @@ from deburr.fault import Entered, Fault, Frame, Halt
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from deburr.expand.job import Job
     from deburr.expand.z32.unit import Program, Unit
 
@@ -55,6 +57,41 @@ class Return(NamedTuple):
     said: str
 
 
+class Pending:
+    """The returns that are pending in one program, by the lines at whose end they happen."""
+
+    __slots__ = ("_by_end", "_newest", "count")
+
+    def __init__(self) -> None:
+        self._by_end: dict[int, list[Return]] = {}
+        self._newest = 0
+        self.count = 0
+
+    def push(self, found: Return) -> None:
+        """One more."""
+        self._by_end.setdefault(found.end, []).append(found)
+        self._newest = found.end
+        self.count += 1
+
+    def take(self, end: int) -> Return | None:
+        """The newest one of a line, which is then no longer pending."""
+        found = self._by_end.get(end)
+        if not found:
+            return None
+        self.count -= 1
+        return found.pop()
+
+    def redirect(self, to: Return) -> None:
+        """Let the newest of all lead to where another one does."""
+        found = self._by_end[self._newest]
+        found[-1] = found[-1]._replace(behind=to.behind, loop=to.loop, frame=to.frame)
+
+    def all(self) -> Iterator[Return]:
+        """All of them."""
+        for found in self._by_end.values():
+            yield from found
+
+
 class Activation(NamedTuple):
     """A call: the program that made it, the line where it goes on, and what that is in."""
 
@@ -62,7 +99,7 @@ class Activation(NamedTuple):
     behind: int
     loop: Loop | None
     frame: Frame | None
-    pending: list[Return]
+    pending: Pending
     place: Place
     said: str
 
@@ -73,6 +110,8 @@ class State:
     def __init__(self, job: Job, main: Unit) -> None:
         self.job = job
         self.main = main
+        self.unsure = False
+        """Whether the run is where it is only if the operator's switch stands one way."""
         self.program = main.whole
         """The program that runs."""
         self.row = 0
@@ -91,7 +130,7 @@ class State:
         """Parameters that an optional line may have set."""
         self.loop: Loop | None = None
         self.frame: Frame | None = None
-        self.pending: list[Return] = []
+        self.pending = Pending()
         self.calls: list[Activation] = []
 
     @cached_property
@@ -101,11 +140,11 @@ class State:
 
     def fault(self, kind: str, place: Place, message: str, unsure: bool = False) -> Halt:
         """The end of the run."""
-        return Halt(Fault(kind, *place, message, self.frame, unsure))
+        return Halt(Fault(kind, *place, message, self.frame, unsure or self.unsure))
 
     def warn(self, kind: str, place: Place, message: str) -> None:
         """Something that the run passes."""
-        self.job.meet(Fault(kind, *place, message, self.frame))
+        self.job.meet(Fault(kind, *place, message, self.frame, self.unsure))
 
     def arrive(self, row: int) -> None:
         """Leave the loops in which a line of the running program does not stand."""

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from deburr_grammar.document import Document
-    from deburr_grammar.line import LineNode
 
 Op = Callable[[], int]
 """A compiled line: it runs and gives the next row, or one of the signs of `flow.py`."""
@@ -93,15 +92,21 @@ class Unit:
     @cached_property
     def first_line(self) -> int:
         """The first line of the program that is not blank: behind the `%` if there is one."""
-        return next((row for row, node in self._lines(0) if node.text.strip()), 0)
+        nodes = ((row, self.document.node(row)) for row in range(len(self.code)))
+        lines = (
+            row
+            for row, node in nodes
+            if node.reading.start is not None and "PERCENT" not in node.kinds and node.text.strip()
+        )
+        return next(lines, 0)
 
     @cached_property
     def first_block(self) -> int:
         """The first line that does anything; behind the last line if none does."""
-        return next((row for row, node in self._lines(0) if not ACTIVE.isdisjoint(node.kinds)), len(self.code))
+        return next(self.rows_with(*ACTIVE), len(self.code))
 
     @cached_property
-    def loops(self) -> Mapping[int, int]:
+    def jumps_back(self) -> Mapping[int, int]:
         """The lines to which jumps go back, with the last line that does so. Where a jump is calculated it makes no loop."""
         found: dict[int, int] = {}
         for row in self.rows_with("jump"):
@@ -111,6 +116,19 @@ class Unit:
                 targets = self.rows_of(self.whole, row, value, True) if isinstance(value, float) else ()
                 if len(targets) == 1 and targets[0] <= row and jump.node("range_end") is None:
                     found[targets[0]] = max(row, found.get(targets[0], 0))
+        return found
+
+    @cached_property
+    def loops(self) -> Mapping[int, int]:
+        """The first lines of loops with their last ones. Of two that cross, the one that starts before takes in all of the other."""
+        found: dict[int, int] = {}
+        inner: list[tuple[int, int]] = []
+        for first in sorted(self.jumps_back, reverse=True):
+            last = self.jumps_back[first]
+            while inner and inner[-1][0] <= last:
+                last = max(last, inner.pop()[1])
+            inner.append((first, last))
+            found[first] = last
         return found
 
     @cached_property
@@ -151,10 +169,3 @@ class Unit:
                 held = {shape for shape in set(shapes) if not shape.facts(reading).kinds.isdisjoint(kinds)}
                 for index in (at for at, shape in enumerate(shapes, first) if shape in held) if held else ():
                     yield piece.line + index
-
-    def _lines(self, first: int) -> Iterator[tuple[int, LineNode]]:
-        """The lines of the program from a row on, without title and `%`."""
-        for row in range(first, len(self.code)):
-            node = self.document.node(row)
-            if node.reading.start is not None and "PERCENT" not in node.kinds:
-                yield row, node

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from decimal import Decimal
 from typing import TYPE_CHECKING
 
 from deburr.arithmetic import Refusal
 from deburr.arithmetic.z32 import function, integer, nearest, operation, shown
-from deburr.expand.numbers import written_decimal
 from deburr.expand.z32.state import LAST, MACHINE, Place
+from deburr.expand.z32.written import DECIMALS, DIGITS, written
 from deburr.suggest import suggestion
 from deburr_grammar.dialects.z32.forms import number
 from deburr_grammar.text import Span
@@ -21,9 +20,6 @@ if TYPE_CHECKING:
     from deburr.fault import Halt
 
 Get = Callable[[], float]
-DECIMALS = 6
-DIGITS = 9
-"""Significant digits that the control takes (spec/z32.md §2)."""
 
 
 class Values:
@@ -113,7 +109,7 @@ class Values:
 
         def found() -> str:
             value = get()
-            text = printed(value, decimals)
+            text = written(value, decimals)
             if text is None:
                 message = f"`{self.said(part)}` is {value:.0f} here; the control takes no more than {DIGITS} digits"
                 raise self.halt("number-digits", part, message)
@@ -155,28 +151,29 @@ class Values:
         """Terms or factors from left to right; one loop, however many there are."""
         signs = [self._text[sign.start] for sign in part.children[1::2]]
         first, *others = [self.value(child) for child in part.children[::2]]
-        rest = [(operation(sign), get, sign, child) for sign, get, child in zip(signs, others, part.children[2::2])]
+        rest = list(zip(map(operation, signs), others, part.children[2::2]))
         if len(rest) == 1:
-            ((apply, second, *_),) = rest
+            return self._pair(part, *rest[0][:2], first)
 
-            def one() -> float:
-                try:
-                    return apply(first(), second())
-                except Refusal as refused:
-                    raise self._refused(refused, part, part.children[2]) from None
-
-            return one
-
-        def all_of_them() -> float:
+        def found() -> float:
             value = first()
-            for each, get, _, child in rest:
+            for apply, get, child in rest:
                 try:
-                    value = each(value, get())
+                    value = apply(value, get())
                 except Refusal as refused:
                     raise self._refused(refused, part, child) from None
             return value
 
-        return all_of_them
+        return found
+
+    def _pair(self, part: Node, apply: Callable[[float, float], float], second: Get, first: Get) -> Get:
+        def found() -> float:
+            try:
+                return apply(first(), second())
+            except Refusal as refused:
+                raise self._refused(refused, part, part.children[2]) from None
+
+        return found
 
     def _function(self, part: Node) -> Get:
         apply, get = function(self.said(part.children[0]).upper()), self.value(part.children[2])
@@ -287,20 +284,3 @@ class Values:
         message = f"`{self.said(part).upper()}` stands for no axis yet: `G25` must name three before"
         # A program that another one calls finds the axes that its caller named.
         return self.halt("alias-unset", part, message, not self._state.is_main)
-
-
-def printed(value: float, decimals: int) -> str | None:
-    """A value in decimal notation with at most nine significant digits; None if its integer part has more (spec/z32.md §6.7, §11)."""
-    text = repr(value)
-    whole, _, fraction = text.partition(".")
-    if "e" not in text and len(whole) + len(fraction) <= DIGITS and len(fraction) <= decimals:
-        if fraction != "0":
-            return text
-        return "0" if whole == "-0" else whole
-    exact = Decimal(text)
-    if not exact:
-        return "0"
-    room = DIGITS - 1 - exact.adjusted()
-    found = written_decimal(exact, min(decimals, room)) if room >= 0 else ""
-    digits = found.lstrip("-0").replace(".", "")
-    return found if found and len(digits.lstrip("0")) <= DIGITS else None

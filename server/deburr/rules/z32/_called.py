@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
+from deburr.expand.z32.stores import found_files, own_files
 from deburr.rule import Line
 from deburr.rules.z32._fields import certain
 from deburr.rules.z32._program import beside, called, lines, numbers_of
-from deburr.rules.z32._stores import found_files, section_number
+from deburr_grammar.dialects.z32.forms import section_number
 from deburr_grammar.document import Document
 from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
@@ -102,10 +102,10 @@ class Programs:
 
     def _stored(self, folder: str, number: int) -> Program | None:
         """Program n of a folder: a file of that name, else the section of that number, if there is only one."""
-        names = self._root.host.names(folder)
-        own = [name for name in names if re.fullmatch(rf"0*{number}(?:\.[^.]*)?", name)]
+        own = own_files(self._root.host, folder, number)
         if own:
-            return self._whole(f"{folder}/{own[0]}") if len(own) == 1 else None
+            return self._whole(own[0]) if len(own) == 1 else None
+        names = self._root.host.names(folder)
         sections = [_section(file, number) for name in names if (file := self._analysis(f"{folder}/{name}"))]
         found = [section for section in sections if section is not None]
         return found[0] if len(found) == 1 else None

@@ -1,27 +1,26 @@
 """What rules on the whole program share: lines by what stands in them, block numbers, jumps, sections. Kept with each chunk."""
 
-import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Mapping, Sequence
-from posixpath import basename, dirname, join, normpath
+from posixpath import basename, dirname, normpath
 from typing import NamedTuple
 from weakref import WeakKeyDictionary
 
 from deburr.analysis import Analysis
-from deburr.arithmetic.z32 import integer, number
+from deburr.arithmetic.z32 import integer
+from deburr.expand.z32 import stores
+from deburr.expand.z32.unit import ACTIVE
 from deburr.rule import Line
 from deburr.rules.z32._values import known
+from deburr_grammar.dialects.z32.forms import NUMBERED, number, number_of
 from deburr_grammar.document import Piece
 from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
-BLOCK = frozenset(("word", "g_word", "axis_alias", "stray", "advanced", "mixed"))
-"""Kinds of parts that make a line do something."""
 _KEPT = frozenset(
     ("jump", "call", "file_call", "section", "config", "other", "alias_name", "axis_alias", "nword", "M_END", "G26")
 )
-_NUMBERED = re.compile(r"[ \t]*/?[ \t]*([Nn][ \t]*([0-9]+(?:[.,][0-9]*)?|[.,][0-9]+))(?![ \t]*[0-9.,])")
 
 
 class Label(NamedTuple):
@@ -84,7 +83,7 @@ def _held(analysis: Analysis, piece: Piece) -> Mapping[str, list[int]]:
             for index, shape in enumerate(shapes, first):
                 for kind in wanted[shape]:
                     found.setdefault(kind, []).append(index)
-                if "block" not in found and not BLOCK.isdisjoint(kinds[shape]):
+                if "block" not in found and not ACTIVE.isdisjoint(kinds[shape]):
                     found["block"] = [index]
     return found
 
@@ -97,8 +96,8 @@ def labels(analysis: Analysis, value: float) -> list[Label]:
     found = _all.get(analysis)
     if found is None:
         found = _all[analysis] = {}
-        for number_of, label in all_labels(analysis):
-            found.setdefault(number_of, []).append(label)
+        for value_of, label in all_labels(analysis):
+            found.setdefault(value_of, []).append(label)
     return found.get(value, [])
 
 
@@ -110,7 +109,7 @@ def all_labels(analysis: Analysis) -> Iterator[tuple[float, Label]]:
 
 
 def _span(piece: Piece, index: int) -> Span:
-    match = _NUMBERED.match(piece.chunk.line(index))
+    match = NUMBERED.match(piece.chunk.line(index))
     assert match is not None
     return Span(*match.span(1))
 
@@ -122,7 +121,7 @@ def _labels(analysis: Analysis, piece: Piece) -> Mapping[float, list[int]]:
     if found is None:
         found = piece.chunk.memo[key] = {}
         for index in _held(analysis, piece).get("nword", ()):
-            if match := _NUMBERED.match(piece.chunk.line(index)):
+            if match := NUMBERED.match(piece.chunk.line(index)):
                 found.setdefault(number(match[2]), []).append(index)
     return found
 
@@ -166,8 +165,8 @@ def is_main(analysis: Analysis) -> bool:
 
     A subprogram may hold an M30 too, but behind a condition, not as its last block.
     """
-    stores = {basename(normpath(str(analysis.settings[name]))) for name in ("cmos-dir", "file-root")}
-    if not stores.isdisjoint(dirname(analysis.file).split("/")[-1:]) and dirname(analysis.file):
+    homes = {basename(normpath(str(analysis.settings[name]))) for name in ("cmos-dir", "file-root")}
+    if not homes.isdisjoint(dirname(analysis.file).split("/")[-1:]) and dirname(analysis.file):
         return False
     starts = sections(analysis)
     last = last_block(analysis, 0, starts[0] if starts else analysis.document.line_count)
@@ -180,7 +179,7 @@ def is_main(analysis: Analysis) -> bool:
 def last_block(analysis: Analysis, first: int, before: int) -> int | None:
     """The last line that does anything, of those from ``first`` to before ``before``."""
     numbers = range(before - 1, first - 1, -1)
-    return next((at for at in numbers if not BLOCK.isdisjoint(analysis.document.node(at).kinds)), None)
+    return next((at for at in numbers if not ACTIVE.isdisjoint(analysis.document.node(at).kinds)), None)
 
 
 def called(line: Line, call: Node) -> int | None:
@@ -191,18 +190,12 @@ def called(line: Line, call: Node) -> int | None:
 
 def beside(analysis: Analysis, path: str) -> str:
     """A configured path as the host knows it: relative ones start at the program's folder."""
-    return normpath(join(dirname(analysis.file), path.replace("\\", "/")))
-
-
-def number_of(text: str) -> float | None:
-    """The block number of a line; None if it has none."""
-    match = _NUMBERED.match(text)
-    return number(match[2]) if match else None
+    return stores.beside(analysis.file, path)
 
 
 def is_active(analysis: Analysis, line: int) -> bool:
     """Whether a line does anything: words or an advanced line."""
-    return not BLOCK.isdisjoint(analysis.document.node(line).kinds)
+    return not ACTIVE.isdisjoint(analysis.document.node(line).kinds)
 
 
 def first_line(analysis: Analysis) -> int | None:

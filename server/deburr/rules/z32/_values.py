@@ -8,9 +8,6 @@ from deburr.rule import Line, Report
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
-LAST = 512
-"""The last index of PAL and PAR (spec/z32.md §5)."""
-
 
 def faults(line: Line, node: Node, rule: str) -> Iterator[Report]:
     """The fault of that name for which this operation is to blame, not one inside it."""
@@ -50,8 +47,3 @@ def stored(line: Line, vector: Node) -> Node | Token | None:
         if part.children[0] == vector:
             return part.children[-1]
     return None
-
-
-def shown(value: float) -> str:
-    """A value as a person writes it."""
-    return f"{value:.9g}"

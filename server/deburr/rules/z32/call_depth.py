@@ -50,11 +50,9 @@ from collections.abc import Set as AbstractSet
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
+from deburr.expand.z32.state import DEEPEST
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.z32._called import Call, Program, all_sections, main_part, programs_of, sure_call
-
-DEEPEST = 32
-"""Calls that may be under way at once; the main program is none (spec/z32.md §11)."""
 
 
 class _Chain(NamedTuple):

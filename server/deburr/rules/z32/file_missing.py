@@ -22,9 +22,9 @@ Good (file-root=icamfs):
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.expand.z32.stores import found_files, nearest_file
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.z32._program import beside, lines
-from deburr.rules.z32._stores import found_files, nearest_file
 from deburr_grammar.text import Span
 
 

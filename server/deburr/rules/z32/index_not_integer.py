@@ -19,9 +19,9 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.arithmetic.z32 import integer
+from deburr.arithmetic.z32 import integer, shown
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.z32._values import index, known, shown
+from deburr.rules.z32._values import index, known
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 

@@ -22,8 +22,9 @@ Good:
 from collections.abc import Iterator
 
 from deburr.arithmetic.z32 import integer
+from deburr.expand.z32.state import LAST
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.z32._values import LAST, index, known
+from deburr.rules.z32._values import index, known
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 

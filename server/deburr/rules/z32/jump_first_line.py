@@ -30,9 +30,9 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.arithmetic.z32 import shown
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.z32._program import first_line, jumps, labels
-from deburr.rules.z32._values import shown
 
 
 @rule(Severity.WARNING, Whole())

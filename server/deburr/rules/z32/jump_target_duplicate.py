@@ -24,9 +24,9 @@ from collections.abc import Iterator
 from functools import cache
 
 from deburr.analysis import Analysis
+from deburr.arithmetic.z32 import shown
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.z32._program import Label, jumps, labels, section_of, sections
-from deburr.rules.z32._values import shown
 
 _SHOWN = 8
 """Blocks that are shown with a jump; the message counts them all."""

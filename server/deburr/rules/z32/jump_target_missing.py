@@ -21,10 +21,10 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.arithmetic.z32 import shown
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.z32._nearest import meant
 from deburr.rules.z32._program import jumps, labels
-from deburr.rules.z32._values import shown
 
 
 @rule(Severity.ERROR, Whole())

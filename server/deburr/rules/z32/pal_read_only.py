@@ -23,12 +23,10 @@ Good:
 from collections.abc import Iterator
 
 from deburr.arithmetic.z32 import integer
+from deburr.expand.z32.state import LAST, MACHINE
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
-from deburr.rules.z32._values import LAST, index, is_pal, known, stored
+from deburr.rules.z32._values import index, is_pal, known, stored
 from deburr_grammar.tree import Node
-
-FIRST = 256
-"""From here on PAL belongs to the machine."""
 
 
 @rule(Severity.ERROR, Nodes(("vector",)))
@@ -36,7 +34,7 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the parameter."""
     value = known(line, index(line, node))
     number = None if value is None else integer(value)
-    if number is not None and FIRST <= number <= LAST and is_pal(line, node) and stored(line, node) is not None:
+    if number is not None and MACHINE <= number <= LAST and is_pal(line, node) and stored(line, node) is not None:
         message = (
             f"`{line.said(node)}` is written by the machine only; the control stops here, PAL[0] to PAL[255] are free"
         )

@@ -19,9 +19,9 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.arithmetic.z32 import nearest
+from deburr.arithmetic.z32 import nearest, shown
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.z32._values import is_pal, known, shown, stored
+from deburr.rules.z32._values import is_pal, known, stored
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 

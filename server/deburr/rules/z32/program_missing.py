@@ -36,9 +36,10 @@ from collections.abc import Set as AbstractSet
 from functools import cache
 
 from deburr.analysis import Analysis
+from deburr.expand.z32.stores import programs
 from deburr.rule import Line, Report, Severity, Whole, rule
 from deburr.rules.z32._program import beside, called, lines
-from deburr.rules.z32._stores import programs, sections_in
+from deburr_grammar.dialects.z32.forms import sections_in
 from deburr_grammar.text import Span
 
 _SHOWN = 4

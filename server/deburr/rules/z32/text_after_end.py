@@ -26,8 +26,10 @@ Good:
 from collections.abc import Iterator, Set
 
 from deburr.analysis import Analysis
+from deburr.expand.z32.unit import ACTIVE
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.z32._program import BLOCK, entries, jumps, lines, number_of
+from deburr.rules.z32._program import entries, jumps, lines
+from deburr_grammar.dialects.z32.forms import number_of
 from deburr_grammar.document import Document
 from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
@@ -57,7 +59,7 @@ def _next(document: Document, line: int, reached: Set[float | None] | None) -> i
     """The next line that does something or is an entry, or the number of lines."""
     numbers = range(line, document.line_count)
     found = (
-        at for at in numbers if not BLOCK.isdisjoint((node := document.node(at)).kinds) or _is_entry(node, reached)
+        at for at in numbers if not ACTIVE.isdisjoint((node := document.node(at)).kinds) or _is_entry(node, reached)
     )
     return next(found, document.line_count)
 
