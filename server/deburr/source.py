@@ -81,6 +81,12 @@ def decoded(data: bytes) -> tuple[str, str]:
     return data.decode("latin-1"), "latin-1"
 
 
+def eol_of(text: str) -> str:
+    """The line end of a text: its first one."""
+    at = min((place for place in (text.find("\n"), text.find("\r")) if place >= 0), default=-1)
+    return "\n" if at < 0 else "\r\n" if text.startswith("\r\n", at) else text[at]
+
+
 def _said(padding: str) -> str:
     count = padding.count("\0")
     said = [f"{count} NUL byte{'s' if count > 1 else ''}"] if count else []
