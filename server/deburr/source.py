@@ -33,7 +33,7 @@ class Source(NamedTuple):
 
     def notices(self) -> Iterator[Notice]:
         """What is to be said of the mark and the padding, in columns of the text: what leads it stands left of column 0."""
-        if self.bom:
+        if self.bom and self.lines != [""]:
             # The mark has no column of its own: the first character that an editor shows stands for it.
             yield Notice(MARK, 0, Span(-len(self.lead), 1 - len(self.lead)), "byte order mark")
         if self.lead:

@@ -74,7 +74,7 @@ def mapped(expansion: Expansion) -> list[str]:
     for line in range(len(expansion.lines)):
         origin = expansion.source_map.origin(line)
         steps = [f"{line + 1} <- {origin.file}:{origin.row + 1}"]
-        for frame in expansion.source_map.stack(line):
-            steps.append(f"{frame.file}:{frame.row + 1} ({frame.kind} {frame.number})")
+        frames = expansion.source_map.stack(line)
+        steps += [f"{frame.file}:{frame.row + 1} ({frame.kind} {frame.number})" for frame in frames]
         found.append(" <- ".join(steps))
     return found
