@@ -6,7 +6,7 @@ import math
 from decimal import ROUND_HALF_UP, Decimal, localcontext
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from deburr.arithmetic import ArithmeticFault
+from deburr.arithmetic import ArithmeticFault, Refusal
 from deburr_grammar.tree import Node, Token
 
 if TYPE_CHECKING:
@@ -18,42 +18,36 @@ _DIGITS = 1_000
 _NEAR = 1e-9
 
 
-class Refused(NamedTuple):
-    """An operation that has no value: the rule's short name and why."""
+class Function(NamedTuple):
+    """A numeric function: how many arguments it takes, and what applies it; that raises `Refusal` where there is no value."""
 
-    rule: str
-    why: str
-
-
-def operate(sign: str, a: float, b: float) -> float | Refused:
-    """The value of `a sign b` for `+ - * / ^`."""
-    if b == 0 and sign == "/":
-        return Refused("divide-by-zero", "a division by zero")
-    if sign == "^" and a == 0 and b < 0:
-        return Refused("divide-by-zero", "a division by zero")
-    if sign == "^" and a < 0 and b != math.floor(b):
-        return Refused("math", "a negative number raised to a power that is no integer")
-    return _finite(lambda: _OPERATORS[sign](a, b))
+    takes: int
+    apply: Callable[..., float]
 
 
-def call(name: str, arguments: tuple[float, ...]) -> float | Refused | None:
-    """The value of a numeric function, its name in any case; None for one that is unknown or needs more than numbers."""
-    name = name.upper()
-    counted = _FUNCTIONS.get(name)
-    if counted is None or counted[0] != len(arguments):
-        return None
-    refuses, refused = _DOMAINS.get(name, (None, None))
-    if refuses is not None and refused is not None and refuses(arguments):
-        return refused
-    return _finite(lambda: counted[1](*arguments))
+def operation(sign: str) -> Callable[[float, float], float]:
+    """What applies one of `+ - * / ^`; it raises `Refusal` where there is no value."""
+    return _OPERATORS[sign]
 
 
-def part_of(text: str, start: float, length: float) -> str | Refused:
+def function(name: str) -> Function | None:
+    """A numeric function, its name in any case; None for one that is unknown or needs more than numbers."""
+    return _FUNCTIONS.get(name.upper())
+
+
+def part_of(text: str, start: float, length: float) -> str:
     """STRSUB: characters from ``start`` on, counted from 1, as far as the text goes."""
     if start < 1 or length < 0:
-        return Refused("math", "a part of a text that starts before its first character or has a negative length")
+        raise Refusal("math", "a part of a text that starts before its first character or has a negative length")
     first = int(start) - 1
     return text[first : first + int(length)]
+
+
+def finite(value: float) -> float:
+    """A result, if it is one."""
+    if math.isfinite(value):
+        return value
+    raise Refusal("math", "a result that is no finite number")
 
 
 def equal(a: float, b: float) -> bool:
@@ -115,56 +109,84 @@ def arguments_of(function: Node) -> tuple[Node | Token, ...]:
 def _operation(text: str, part: Node) -> Value:
     left, sign, right = part.children
     a, b = constant(text, left), constant(text, right)
-    for value in (a, b):
-        if isinstance(value, ArithmeticFault):
-            return value
     said = text[sign.start : sign.end]
-    if a is None and said == "/":
+    if a is None and said == "/" and b == 0:
         # Only a divisor decides alone: whatever is divided, a zero is refused.
-        a = 1.0 if b == 0 else None
-    if not isinstance(a, float) or not isinstance(b, float):
-        return None
-    result = operate(said, a, b)
-    if isinstance(result, Refused):
-        return ArithmeticFault(result.rule, right if said == "/" and b == 0 else part, result.why)
-    return result
+        a = 1.0
+    return _tried(operation(said), part, right if said == "/" and b == 0 else part, a, b)
 
 
 def _function(text: str, part: Node) -> Value:
     name = text[part.children[0].start : part.children[0].end].upper()
     parts = arguments_of(part)
     values = tuple(constant(text, argument) for argument in parts)
-    fault = next((value for value in values if isinstance(value, ArithmeticFault)), None)
-    if fault is not None:
-        return fault
-    numbers = tuple(value for value in values if isinstance(value, float))
-    value: float | Refused | None
-    if (name in ("MOD", "STRSUB") and len(numbers) < len(parts)) or name == "STRSUB":
-        value = _decided_by_rest(name, values)
-    else:
-        value = call(name, numbers) if len(numbers) == len(parts) else None
-    if isinstance(value, Refused):
-        return ArithmeticFault(value.rule, parts[1] if value.rule == "divide-by-zero" else part, value.why)
-    return value
+    if name == "STRSUB" and len(values) == 3:
+        # A start before the text is refused whatever the text is.
+        values = (0.0 if values[0] is None else values[0], *values[1:])
+        found = _tried(lambda _, start, length: float(len(part_of("", start, length))), part, part, *values)
+        return found if isinstance(found, ArithmeticFault) else None
+    known = function(name)
+    if known is None or known.takes != len(parts):
+        return next((value for value in values if isinstance(value, ArithmeticFault)), None)
+    if name == "MOD" and values[0] is None and values[1] is not None:
+        found = _tried(known.apply, part, parts[1], 1.0, values[1])
+        return found if isinstance(found, ArithmeticFault) else None
+    return _tried(known.apply, part, parts[-1] if parts else part, *values)
 
 
-def _decided_by_rest(name: str, values: tuple[Value, ...]) -> Refused | None:
-    """A zero divisor or a start before the text is refused whatever the first argument is."""
-    numbers = tuple(value if isinstance(value, float) else 1.0 for value in values)
-    refused: float | Refused | None = None
-    if name == "MOD" and len(numbers) == 2:
-        refused = call("MOD", (1.0, numbers[1]))
-    elif name == "STRSUB" and len(numbers) == 3 and isinstance(found := part_of("", numbers[1], numbers[2]), Refused):
-        refused = found
-    return refused if isinstance(refused, Refused) else None
-
-
-def _finite(calculate: Callable[[], float]) -> float | Refused:
+def _tried(apply: Callable[..., float], part: Node, divisor: Node | Token, *values: Value) -> Value:
+    """A result, or the first fault, or what has no value; None if a value is not known."""
+    for value in values:
+        if isinstance(value, ArithmeticFault):
+            return value
+    if None in values:
+        return None
     try:
-        value = calculate()
-    except (OverflowError, ValueError, ZeroDivisionError):
-        value = math.inf
-    return value if math.isfinite(value) else Refused("math", "a result that is no finite number")
+        return apply(*values)
+    except Refusal as refused:
+        return ArithmeticFault(refused.rule, divisor if refused.rule == "divide-by-zero" else part, refused.why)
+
+
+def _divided(a: float, b: float) -> float:
+    if b == 0:
+        raise _by_zero("a division by zero")
+    return finite(a / b)
+
+
+def _raised(a: float, b: float) -> float:
+    if a == 0 and b < 0:
+        raise _by_zero("a division by zero")
+    if a < 0 and b != math.floor(b):
+        raise Refusal("math", "a negative number raised to a power that is no integer")
+    try:
+        return math.pow(a, b)
+    except OverflowError:
+        return finite(math.inf)
+
+
+def _remainder(a: float, b: float) -> float:
+    if math.trunc(b) == 0:
+        raise _by_zero("a remainder of a division by zero")
+    return math.fmod(math.trunc(a), math.trunc(b))
+
+
+def _by_zero(why: str) -> Refusal:
+    return Refusal("divide-by-zero", why)
+
+
+def _within_one(name: str, inverse: Callable[[float], float]) -> Callable[[float], float]:
+    def found(a: float) -> float:
+        if abs(a) > 1:
+            raise Refusal("math", f"{name} of a number outside -1 to 1")
+        return math.degrees(inverse(a))
+
+    return found
+
+
+def _root(a: float) -> float:
+    if a < 0:
+        raise Refusal("math", "the square root of a negative number")
+    return math.sqrt(a)
 
 
 def _degrees(text: float) -> float:
@@ -189,40 +211,35 @@ def _sine_cosine(angle: float) -> tuple[float, float]:
 
 def _tangent(angle: float) -> float:
     sine, cosine = _sine_cosine(angle)
+    if cosine == 0:
+        raise Refusal("math", "a tangent that is not finite")
     return sine / cosine
 
 
 _OPERATORS: dict[str, Callable[[float, float], float]] = {
-    "+": lambda a, b: a + b,
-    "-": lambda a, b: a - b,
-    "*": lambda a, b: a * b,
-    "/": lambda a, b: a / b,
-    "^": math.pow,
+    "+": lambda a, b: finite(a + b),
+    "-": lambda a, b: finite(a - b),
+    "*": lambda a, b: finite(a * b),
+    "/": _divided,
+    "^": _raised,
 }
-_FUNCTIONS: dict[str, tuple[int, Callable[..., float]]] = {
-    "ABS": (1, abs),
-    "ACOS": (1, lambda a: math.degrees(math.acos(a))),
-    "ASIN": (1, lambda a: math.degrees(math.asin(a))),
-    "ATAN": (1, lambda a: math.degrees(math.atan(a))),
-    "CEIL": (1, lambda a: float(math.ceil(a))),
-    "COS": (1, lambda a: _sine_cosine(a)[1]),
-    "DMS": (1, _degrees),
-    "FLOOR": (1, lambda a: float(math.floor(a))),
-    "INT": (1, lambda a: float(math.trunc(a))),
-    "MAX": (2, max),
-    "MIN": (2, min),
-    "MOD": (2, lambda a, b: math.fmod(math.trunc(a), math.trunc(b))),
-    "PI": (0, lambda: math.pi),
-    "RND": (2, lambda a, places: float(rounded(a, math.trunc(places)))),
-    "SGN": (1, lambda a: float((a > 0) - (a < 0))),
-    "SIN": (1, lambda a: _sine_cosine(a)[0]),
-    "SQR": (1, math.sqrt),
-    "TAN": (1, _tangent),
-}
-_DOMAINS: dict[str, tuple[Callable[[tuple[float, ...]], bool], Refused]] = {
-    "ACOS": (lambda a: abs(a[0]) > 1, Refused("math", "ACOS of a number outside -1 to 1")),
-    "ASIN": (lambda a: abs(a[0]) > 1, Refused("math", "ASIN of a number outside -1 to 1")),
-    "MOD": (lambda a: math.trunc(a[1]) == 0, Refused("divide-by-zero", "a remainder of a division by zero")),
-    "SQR": (lambda a: a[0] < 0, Refused("math", "the square root of a negative number")),
-    "TAN": (lambda a: _sine_cosine(a[0])[1] == 0, Refused("math", "a tangent that is not finite")),
+_FUNCTIONS: dict[str, Function] = {
+    "ABS": Function(1, abs),
+    "ACOS": Function(1, _within_one("ACOS", math.acos)),
+    "ASIN": Function(1, _within_one("ASIN", math.asin)),
+    "ATAN": Function(1, lambda a: math.degrees(math.atan(a))),
+    "CEIL": Function(1, lambda a: float(math.ceil(a))),
+    "COS": Function(1, lambda a: _sine_cosine(a)[1]),
+    "DMS": Function(1, lambda a: finite(_degrees(a))),
+    "FLOOR": Function(1, lambda a: float(math.floor(a))),
+    "INT": Function(1, lambda a: float(math.trunc(a))),
+    "MAX": Function(2, max),
+    "MIN": Function(2, min),
+    "MOD": Function(2, _remainder),
+    "PI": Function(0, lambda: math.pi),
+    "RND": Function(2, lambda a, places: finite(float(rounded(a, math.trunc(places))))),
+    "SGN": Function(1, lambda a: float((a > 0) - (a < 0))),
+    "SIN": Function(1, lambda a: _sine_cosine(a)[0]),
+    "SQR": Function(1, _root),
+    "TAN": Function(1, _tangent),
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -23,8 +24,10 @@ def constant(text: str, part: Node | Token, settings: Mapping[str, Any]) -> Valu
     if isinstance(part, Token):
         return number(text[part.start : part.end]) if part.kind == "NUMBER" else None
     match part.kind:
-        case "group" | "label":
-            return constant(text, part.children[1 if len(part.children) > 1 else 0], settings)
+        case "group":
+            return _tried(finite, part, part, constant(text, part.children[1], settings))
+        case "label":
+            return constant(text, part.children[0], settings)
         case "signed":
             inner = constant(text, part.children[1], settings)
             return -inner if isinstance(inner, float) and text[part.start] == "-" else inner
@@ -83,45 +86,35 @@ def _tried(apply: Callable[..., float], part: Node, divisor: Node | Token, *valu
         return ArithmeticFault(refused.rule, divisor if refused.rule == "divide-by-zero" else part, refused.why)
 
 
-def _finite(value: float) -> float:
+def finite(value: float) -> float:
+    """What brackets give: only there does the control look whether a result is a number. Between operators it goes on with an infinite one."""
     if value - value != 0:
         raise Refusal("not-finite", "a result that is no finite number")
     return value
 
 
-def _added(a: float, b: float) -> float:
-    return _finite(a + b)
-
-
-def _subtracted(a: float, b: float) -> float:
-    return _finite(a - b)
-
-
-def _multiplied(a: float, b: float) -> float:
-    return _finite(a * b)
-
-
 def _divided(a: float, b: float) -> float:
     if b == 0:
         raise Refusal("divide-by-zero", "a division by zero")
-    return _finite(a / b)
+    return a / b
 
 
 def _modulo(a: float, b: float) -> float:
     """Never negative, whatever the signs."""
-    if b == 0:
-        raise Refusal("not-finite", "a result that is no finite number")
+    if b == 0 or math.isinf(a):
+        return math.nan
     rest = math.fmod(a, b)
     return rest + abs(b) if rest < 0 else rest
 
 
 def _power(a: float, b: float) -> float:
-    if a < 0 and b != math.floor(b):
+    if a < 0 and b % 1 != 0:
         raise Refusal("domain", "a negative number raised to a power that is no integer")
     try:
-        return _finite(math.pow(a, b))
+        return math.pow(a, b)
     except (OverflowError, ValueError):
-        raise Refusal("not-finite", "a result that is no finite number") from None
+        # No power of a double but one that is too large, and no negative power but of zero, comes here.
+        return -math.inf if (a < 0 or math.copysign(1, a) < 0) and b % 2 == 1 else math.inf
 
 
 def _tolerant(exact: Callable[[float, float], bool]) -> Callable[[float], Callable[[float, float], float]]:
@@ -142,9 +135,9 @@ _COMPARED: dict[str, Callable[[float], Callable[[float, float], float]]] = {
     "LE": _tolerant(lambda a, b: a <= b),
 }
 _OPERATORS: dict[str, Callable[[float, float], float]] = {
-    "+": _added,
-    "-": _subtracted,
-    "*": _multiplied,
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
     "/": _divided,
     "MOD": _modulo,
     "**": _power,

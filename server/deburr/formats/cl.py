@@ -76,6 +76,9 @@ _FORMS = {
 _TEXTS = ("PARTNO", "PPRINT", "TOOL NAME")
 _HEAD = re.compile(r"[ \t]*(tool[ \t]+name(?![A-Za-z0-9_])|[A-Za-z][A-Za-z0-9_-]*)", re.I)
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[Ee][+-]?[0-9]+)?")
+_PLAIN = r"[ \t]*([+-]?[0-9]{1,15}(?:\.[0-9]{0,15})?)[ \t]*"
+_POINT = re.compile(rf"[ \t]*(GOTO[ \t]*/{_PLAIN},{_PLAIN},[ \t]*([+-]?[0-9]{{1,15}}(?:\.[0-9]{{0,15}})?))[ \t]*", re.I)
+"""A point as toolpaths write it; what is written otherwise is read slowly."""
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 _FLAT = 1e-4
 """How far an axis of length 1 may lean: CAM systems write seven decimals, and some write four."""
@@ -86,22 +89,32 @@ _Segments = list[tuple[int, str]]
 
 def read(text: str) -> Toolpath:
     """The toolpath in a text."""
-    statements: list[Statement] = []
+    found: list[Statement] = []
     faults: list[Fault] = []
     unknown: dict[str, list[Fault]] = {}
-    for segments in _logical(split_lines(text)):
-        found = _statement(segments)
-        for each in found:
-            if isinstance(each, Statement):
-                statements.append(each)
-            elif each.ignored:
-                unknown.setdefault(_head(segments), []).append(each)
-            else:
-                faults.append(each)
-        if any(isinstance(each, Statement) and each.word == "FINI" for each in found):
-            break
+    for each in statements(text):
+        if isinstance(each, Statement):
+            found.append(each)
+        elif each.ignored:
+            unknown.setdefault(each.message, []).append(each)
+        else:
+            faults.append(each)
     faults += [_once(same) for same in unknown.values()]
-    return Toolpath(tuple(statements), tuple(sorted(faults)))
+    return Toolpath(tuple(found), tuple(sorted(faults)))
+
+
+def statements(text: str) -> Iterator[Statement | Fault]:
+    """The statements up to FINI one after the other, and in their places what is wrong."""
+    for segments in _logical(split_lines(text)):
+        line, code = segments[0]
+        if len(segments) == 1 and (point := _POINT.fullmatch(code)) is not None:
+            # Nearly all lines of a toolpath are these.
+            yield Statement("GOTO", line, Span(*point.span(1)), (float(point[2]), float(point[3]), float(point[4])))
+            continue
+        found = _statement(segments)
+        yield from found
+        if any(isinstance(each, Statement) and each.word == "FINI" for each in found):
+            return
 
 
 def plane(statement: Statement) -> tuple[int, int] | None:
@@ -262,11 +275,6 @@ def _extent(values: list[_Value]) -> Span:
     """The columns of values, as far as they stand on the first one's line."""
     first, last = values[0], values[-1]
     return Span(first.span.start, last.span.end if last.line == first.line else first.span.end)
-
-
-def _head(segments: _Segments) -> str:
-    head = next((found for _, code in segments if (found := _HEAD.match(code))), None)
-    return head[1].upper() if head else ""
 
 
 def _once(same: list[Fault]) -> Fault:

@@ -104,6 +104,8 @@ def _of_key(number: int, key: str, value: Any, keys: list[_Key], whole: Span) ->
             good = isinstance(said, str) or (type(said) in (int, float) and _finite(said))
             if not good:
                 yield Fault(number, inner.value if inner else whole, f"`{word}` takes a number or a text")
+            elif isinstance(said, str) and len(split_lines(said)) > 1:
+                yield Fault(number, inner.value if inner else whole, f"the text of `{word}` holds a line break")
 
 
 def _finite(said: float) -> bool:

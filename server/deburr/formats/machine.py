@@ -37,6 +37,8 @@ class Machine:
     """Names of words and tables that are given, but not as they should be."""
 
 
+_GREATEST = 999_999
+"""No control has block numbers beyond."""
 _Path = tuple[str, ...]
 _Wrong = Callable[[str, Any], str]
 
@@ -119,8 +121,8 @@ def _one_of(*choices: str) -> _Wrong:
 
 def _whole(least: int) -> _Wrong:
     def wrong(key: str, value: Any) -> str:
-        good = type(value) is int and value >= least
-        return "" if good else f"`{key}` must be a whole number from {least} on"
+        good = type(value) is int and least <= value <= _GREATEST
+        return "" if good else f"`{key}` must be a whole number from {least} on, at most {_GREATEST:,}"
 
     return wrong
 
@@ -138,7 +140,7 @@ def _format(name: str, value: Any) -> str:
 def _table(name: str, value: Any) -> str:
     if not re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name):
         return f"`{name}` is no name of a table; write it without `#` and `@`"
-    if isinstance(value, list) and all(isinstance(row, str) for row in value):
+    if isinstance(value, list) and all(isinstance(row, str) and len(split_lines(row)) == 1 for row in value):
         return ""
     return f'`{name}` must be a list of texts, one for each row from 0 on: `{name} = ["G00", "G01"]`'
 

@@ -31,6 +31,15 @@ class Format(NamedTuple):
     behind: int
     width: int = 0
 
+    def quick(self, value: float) -> str | None:
+        """What is printed, where that is the number's shortest text: most coordinates. None: it must be made from digits."""
+        if self.type != "D" or self.sign or self.width or not value:
+            return None
+        text = repr(value)
+        whole, _, fraction = text.partition(".")
+        fits = fraction and len(fraction) <= self.behind and len(whole) - (value < 0) <= self.before
+        return text if fits and "e" not in fraction else None
+
     def digits(self, value: float) -> Digits:
         """A number as far as the format prints it: rounded half away from 0, no minus before a zero."""
         whole, _, fraction = repr(abs(value)).partition(".")

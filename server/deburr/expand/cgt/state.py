@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from deburr.arithmetic.cgt import equal
 from deburr.expand.cgt.figures import Format, free
 from deburr.expand.cgt.lines import Lines, Place
 from deburr.fault import Entered, Fault, Frame, Halt
-from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from deburr.expand.cgt.words import Cell, Words
@@ -34,8 +33,10 @@ _SETS = {
     "UNITS": "UNITS",
     "FILE": "PARTNO",
     "DWELL": "DELAY",
+    **dict.fromkeys(("MOV", "XPOS", "YPOS", "ZPOS", "XST", "YST", "ZST"), "GOTO"),
+    **dict.fromkeys(("XCTR", "YCTR", "ZCTR", "ARAD"), "CIRCLE"),
 }
-"""The statements of CL text that set words for good."""
+"""The statements of CL text that set words."""
 
 
 class Label:
@@ -119,6 +120,8 @@ class State:
         self.unit = Unit("")
         self.loops: list[Loop] = []
         self.calls: list[Activation] = []
+        self.macros: dict[str, tuple[str, object]] = {}
+        """Macro variables: the command that set each, which is its type, and its value."""
 
     def fault(self, kind: str, at: Place, message: str, input: bool = False) -> Halt:
         """The end of the run."""
@@ -154,6 +157,8 @@ class State:
         """A number in a format."""
         if form is None:
             return free(value)
+        if (text := form.quick(value)) is not None:
+            return text
         digits = form.digits(value)
         if len(digits.whole) > form.before:
             message = f"`#{name}` is {free(value)} here, which needs {len(digits.whole)} digits before the point; its format has {form.before}"
@@ -162,7 +167,7 @@ class State:
             self.warn("format-unsigned", at, f"`#{name}` is {free(value)} here, and its format prints no minus")
         return form.text(digits)
 
-    def row_of(self, name: str, rows: tuple[str, ...] | list[str], value: float, at: Place) -> str:
+    def row_of(self, name: str, rows: Sequence[str], value: float, at: Place) -> str:
         """A row of a table by its number from 0 on."""
         number = round(value)
         if equal(value, number) and 0 <= number < len(rows):
@@ -173,19 +178,23 @@ class State:
     def unset(self, cell: Cell, at: Place) -> Halt:
         """The end of the run at a word that nothing has set."""
         statement = _SETS.get(cell.name)
-        way = f"`{statement}` in the toolpath sets it" if statement else "no statement before it in the toolpath does"
-        message = f"nothing has set `#{cell.name}` here; {way}, and so does -D {cell.name}=VALUE"
+        way = f"a `{statement}` before it in the toolpath, or " if statement else ""
+        message = f"nothing has set `#{cell.name}` here; {way}-D {cell.name}=VALUE gives it a value"
         return self.fault("word-unset", at, message, True)
 
     def _row(self, cell: Cell, value: float, at: Place) -> str:
         rows = self.words.codes(cell)
-        return self.row_of(cell.name, list(rows), value, at) if rows is not None else ""
+        return self.row_of(cell.name, rows, value, at) if rows is not None else ""
 
     # Sections and what they are in.
 
-    def start(self, unit: Unit, frame: Frame | None) -> int:
-        """Run a section that the generator runs."""
-        return self._enter(unit, END, None, frame, None)
+    def start(self, unit: Unit, frame: Frame | None, declares: bool) -> int:
+        """Run a section that the generator runs. ``declares``: it outputs nothing, and its formats stay."""
+        first = self._enter(unit, END, None, frame, None)
+        if declares:
+            self.calls[-1].formats = None
+        self.lines.silence(not declares)
+        return first
 
     def call(self, name: str, at: Place, back: int, said: Label) -> int:
         """`#CALL`."""
@@ -283,8 +292,3 @@ class State:
         if len(self.calls) > DEEPEST:
             message = f"`@{name}` would be call {DEEPEST + 1} inside each other; {DEEPEST} are the limit, so sections that call each other without end stop here"
             raise self.fault("limit", at, message)
-
-
-def nowhere() -> Place:
-    """The template as a whole."""
-    return Place(0, Span(0, 0))

@@ -23,6 +23,7 @@ _TURN = {"OFF": 0.0, "CLW": 1.0, "CCLW": 2.0}
 _CYCLES = {"OFF": 0, "DRILL": 1, "CBORE": 2, "FACE": 2, "DEEP": 3, "BRKCHP": 3, "TAP": 4, "BORE": 5}
 _PLANES = {2: (0, 1), 1: (2, 0), 0: (1, 2)}
 """The axes of the plane of an arc, by the axis that it turns around: seen from there, the second lies a quarter to the left of the first."""
+_RAPID, _CUT = ("MOV", 0.0), ("MOV", 1.0)
 _SECTIONS = {0: "YZARC", 1: "XZARC", 2: "ARC"}
 
 
@@ -145,13 +146,20 @@ class Toolpath:
                 self._end = (statement.line, to)
                 return
             yield from self._end_arc()
-        section, length = ("RAP", 0.0) if self._rapid else ("LINE", math.dist(self._at, to))
-        moves: Values = (("MOV", 0.0 if self._rapid else 1.0),)
-        if self._cycle:
-            section, length, moves = f"FXD{self._cycle}", 0.0, ()
+        if not self._started or self._change is not None:
+            yield from self._before(statement.line)
+        yield self._move(statement.line, to)
         self._rapid = False
-        yield from self._element(Event(statement.line, section, (*moves, *self._from_to(to)), True, length))
         self._at = to
+
+    def _move(self, line: int, to: _Point) -> Event:
+        """A straight move, or a hole of a cycle."""
+        ends = self._from_to(to)
+        if self._cycle:
+            return Event(line, f"FXD{self._cycle}", ends, True)
+        if self._rapid:
+            return Event(line, "RAP", (_RAPID, *ends), True)
+        return Event(line, "LINE", (_CUT, *ends), True, math.dist(self._at, to))
 
     def _end_arc(self) -> Iterator[Event]:
         """The arc whose points are all known."""
@@ -177,7 +185,8 @@ class Toolpath:
         return math.hypot(circle.numbers[6] * turned, to[axis] - self._at[axis])
 
     def _from_to(self, to: _Point) -> Values:
-        return (*zip(("XST", "YST", "ZST"), self._at), *zip(("XPOS", "YPOS", "ZPOS"), to))
+        x, y, z = self._at
+        return ("XST", x), ("YST", y), ("ZST", z), ("XPOS", to[0]), ("YPOS", to[1]), ("ZPOS", to[2])
 
     def _element(self, event: Event) -> Iterator[Event]:
         yield from self._before(event.line)

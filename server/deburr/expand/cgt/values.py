@@ -15,7 +15,7 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token, walk
 
 if TYPE_CHECKING:
-    from deburr.expand.cgt.job import JobData
+    from deburr.expand.cgt.events import JobData
     from deburr.expand.cgt.state import State
     from deburr.fault import Halt
 

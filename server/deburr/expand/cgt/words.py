@@ -61,6 +61,7 @@ class Words:
         self._computed = {each.name for each in template.declarations if each.command.startswith("CALC")}
         said = {**DEFAULTS, **template.machine.formats}
         self.formats = {name: made for name in DEFAULTS if (made := format_of(said[name]) or format_of(DEFAULTS[name]))}
+        self.block_step = template.machine.block_step
         self._tables: dict[str, Sequence[str] | None] = {}
 
     def __getitem__(self, name: str) -> Cell:

@@ -4,9 +4,10 @@ from collections.abc import Iterable, Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report
-from deburr.rules.cgt._beside import beside
-from deburr.rules.cgt._symbols import nearest
-from deburr.rules.cgt._template import Section, Template, target
+from deburr.rules.cgt._template import configured
+from deburr.templates.items import Section
+from deburr.templates.symbols import nearest
+from deburr.templates.template import Template, target
 from deburr_grammar.dialects.cgt.outline import SECTIONS
 from deburr_grammar.text import Span
 
@@ -62,7 +63,7 @@ def first_place(analysis: Analysis, template: Template) -> tuple[int, Span] | No
 
 def unreadable(analysis: Analysis, template: Template, key: str) -> Iterator[Report]:
     """Say that a configured file is not there, at the head of the template: it has no place of its own."""
-    file, at = beside(analysis, key), first_place(analysis, template)
+    file, at = configured(analysis, key), first_place(analysis, template)
     if file.path and file.text is None and at is not None:
         line, span = at
         message = f"`{file.path}` cannot be read; `{key}` in `[{analysis.dialect.name}]` of the configuration names it"

@@ -38,8 +38,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._brackets import extent, read_brackets, tests_of
 from deburr.rules.cgt._template import template_of
+from deburr.templates.brackets import extent, read_brackets, tests_of
 
 
 @rule(Severity.WARNING, Whole())

@@ -39,7 +39,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import DEEPEST, Body, Item, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.items import DEEPEST, Body, Item
 
 
 @rule(Severity.WARNING, Whole())

@@ -32,7 +32,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import target, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.template import target
 
 
 @rule(Severity.ERROR, Whole())

@@ -73,9 +73,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._beside import beside, events_in, is_events, toolpath_faults
 from deburr.rules.cgt._sections import similar_section, unreadable
-from deburr.rules.cgt._template import Template, template_of
+from deburr.rules.cgt._template import configured, template_of
+from deburr.templates.beside import events_in, is_events, toolpath_faults
+from deburr.templates.template import Template
 from deburr_grammar.dialects.cgt.outline import SECTIONS
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ def check(analysis: Analysis) -> Iterator[Report]:
     """Report what cannot be read, in the toolpath itself."""
     template = template_of(analysis)
     yield from unreadable(analysis, template, "input")
-    file = beside(analysis, "input")
+    file = configured(analysis, "input")
     for fault in toolpath_faults(file):
         if not fault.ignored:
             yield Report(fault.span, fault.message, fault.line, (), file.path)

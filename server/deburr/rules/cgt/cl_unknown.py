@@ -26,8 +26,8 @@ Good (input=sample.cl):
     PPRINT/FIRST SIDE
     LOADTL/1
     CYCLE/DRILL,DEPTH,10,CLEAR,2
-    GOTO/0,0,5
     CYCLE/OFF
+    GOTO/0,0,5
     FINI
 """
 
@@ -35,13 +35,14 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._beside import beside, toolpath_faults
+from deburr.rules.cgt._template import configured
+from deburr.templates.beside import toolpath_faults
 
 
 @rule(Severity.WARNING, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the statement or the values."""
-    file = beside(analysis, "input")
+    file = configured(analysis, "input")
     for fault in toolpath_faults(file):
         if fault.ignored:
             yield Report(fault.span, fault.message, fault.line, (), file.path)

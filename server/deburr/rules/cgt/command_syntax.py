@@ -65,7 +65,7 @@ import re
 from collections.abc import Iterator
 
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
-from deburr.rules.cgt._symbols import commands, missing_sign
+from deburr.templates.symbols import commands, missing_sign
 from deburr_grammar.problem import Problem
 
 

@@ -31,7 +31,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.cgt._template import Declaration, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.items import Declaration
 
 
 @rule(Severity.ERROR, Whole())

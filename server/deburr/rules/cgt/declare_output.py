@@ -1,7 +1,7 @@
-"""Text in `@DECLARE`.
+"""Text in `@DECLARE`, or in a section that computes a word.
 
-The section runs before the program starts, to declare words and formats. Nothing is output there,
-so the text is lost.
+`@DECLARE` runs before the program starts, to declare words and formats; a section `@$name` runs to
+give `#name` its value. Nothing is output there, so the text is lost.
 
 Source: spec/cgt.md §7
 
@@ -22,6 +22,18 @@ Bad:
     @DWELL
     #REPEAT(#passes)<G04 P#depth>
 
+Bad:
+
+    @DECLARE
+    #CALCDEC #side
+    @
+    @$side
+    SIDE #RETNUM(2*#V1)
+    ^^^^^
+    @
+    @DWELL
+    #side
+
 Good:
 
     @DECLARE
@@ -33,7 +45,10 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._sections import computed
 from deburr.rules.cgt._template import template_of
+from deburr.templates.items import Section
+from deburr.templates.template import target
 
 
 @rule(Severity.WARNING, Whole())
@@ -42,12 +57,17 @@ def check(analysis: Analysis) -> Iterator[Report]:
     template = template_of(analysis)
     unknown = {(use.line, use.span.start) for use in template.uses if use.spelled.kind == "unknown"}
     declared = {each.line: each for each in template.declarations}
+    computing = computed(template) - {target(call)[0] for call, _ in template.calls()}
     seen = set[int]()
     for item, section, _ in template.items:
-        if section.reading == "declare" and item.printed and item.line not in seen:
+        if _silent(section, computing) and item.printed and item.line not in seen:
             seen.add(item.line)
             if (item.line, item.start) in unknown:
                 continue
             hint = "; a comma is missing before it" if item.kind == "word" and item.line in declared else ""
-            message = f"`{item.text.strip()}` stands in `@DECLARE`, where nothing is output{hint}"
+            message = f"`{item.text.strip()}` stands in `@{section.name}`, where nothing is output{hint}"
             yield Report(item.span, message, item.line)
+
+
+def _silent(section: Section, computing: frozenset[str]) -> bool:
+    return section.reading == "declare" or section.name in computing

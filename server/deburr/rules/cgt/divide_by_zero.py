@@ -1,6 +1,6 @@
 """Division by zero.
 
-It has no value. Reported where the line alone decides the divisor; `MOD` divides by the whole part
+It has no value. Reported where the line alone decides the divisor, and where a run meets it; `MOD` divides by the whole part
 of its second argument, and 0 to a negative power is a division too.
 
 Source: spec/cgt.md §5.8, §11
@@ -17,6 +17,15 @@ Bad:
               ^^^^
     #IF(1+4/-0.0>2)<M08>
             ^^^^
+
+Bad (input=sample.cl):
+
+    #EVAL(#V1=#FEED/(#XPOS-1))
+                    ^^^^^^^^^
+    -- sample.cl --
+    FEDRAT/200
+    GOTO/1,0,0
+    FINI
 
 Good:
 

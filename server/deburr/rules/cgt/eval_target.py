@@ -40,7 +40,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import Item, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.items import Item
 from deburr_grammar.text import Span
 
 

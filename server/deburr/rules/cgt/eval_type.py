@@ -3,7 +3,9 @@
 A number word takes a number. A text word takes a word, a text function or unquoted text; words
 inside unquoted text are not replaced by their values.
 
-Source: spec/cgt.md §5.8
+A text in a numeric `#IF` must hold a number.
+
+Source: spec/cgt.md §5.4, §5.8
 
 Bad:
 
@@ -34,6 +36,16 @@ Bad:
     #EVMI(#x=#S1)
              ^^^
 
+Bad (input=sample.cl):
+
+    #EVAL(#S1=2X)
+    #IF(#S1>3)<M08> // deburr: allow cgt.if-string
+        ^^^
+    -- sample.cl --
+    FEDRAT/200
+    GOTO/1,0,0
+    FINI
+
 Good:
 
     #EVAL(#V1=STRLEN(#S1)+1)
@@ -50,9 +62,10 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._symbols import Symbols, functions, missing_sign
-from deburr.rules.cgt._template import Item, template_of
-from deburr.rules.cgt._types import is_plain, misfits, no_numbers, value_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.items import Item
+from deburr.templates.symbols import Symbols, functions, missing_sign
+from deburr.templates.types import is_plain, misfits, no_numbers, value_of
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 

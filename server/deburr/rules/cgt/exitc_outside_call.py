@@ -10,6 +10,19 @@ Bad:
     #IF(#DWELL<=0)<#EXITC>
                    ^^^^^^
 
+Bad (input=sample.cl):
+
+    #IF(#XPOS>0)<#EXITC>
+                 ^^^^^^
+    @
+    @DWELL
+    #CALL(LINE)
+    @
+    -- sample.cl --
+    FEDRAT/200
+    GOTO/1,0,0
+    FINI
+
 Good:
 
     #CALL(sample)
@@ -24,7 +37,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import target, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.template import target
 
 
 @rule(Severity.WARNING, Whole())

@@ -23,7 +23,7 @@ from collections.abc import Iterator
 
 from deburr.arithmetic.cgt import arguments_of
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.cgt._symbols import functions
+from deburr.templates.symbols import functions
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 

@@ -21,7 +21,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.cgt._symbols import functions, nearest
+from deburr.templates.symbols import functions, nearest
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 

@@ -11,6 +11,16 @@ Bad:
          ^^^^^^^^^^
     #SETBLK(1)
 
+Bad (input=sample.cl):
+
+    GOTO #GETBLK(#V1)
+         ^^^^^^^^^^^^
+    #SETBLK(#V1+1)
+    -- sample.cl --
+    FEDRAT/200
+    GOTO/1,0,0
+    FINI
+
 Good:
 
     GOTO #GETBLK(0)
@@ -22,7 +32,9 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.arithmetic.cgt import constant
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import Item, Template, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.items import Item
+from deburr.templates.template import Template
 
 
 @rule(Severity.WARNING, Whole())

@@ -31,7 +31,7 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
-from deburr.rules.cgt._types import no_numbers
+from deburr.templates.types import no_numbers
 from deburr_grammar.text import Span
 
 

@@ -48,7 +48,7 @@ import re
 from collections.abc import Iterator
 
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
-from deburr.rules.cgt._symbols import missing_sign
+from deburr.templates.symbols import missing_sign
 from deburr_grammar.problem import Problem
 from deburr_grammar.text import Span
 

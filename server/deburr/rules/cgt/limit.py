@@ -1,6 +1,7 @@
 """More than the generator can work through.
 
-Brackets nest up to 32 deep, and a `#REPEAT` runs up to 100,000 times.
+Brackets nest up to 32 deep, a `#REPEAT` runs up to 100,000 times, and sections call each other up to 64 deep; a
+line that a `#REPEAT` makes longer and longer ends with 1,000,000 characters.
 
 Source: spec/cgt.md §8, §11, *Errors*
 
@@ -14,6 +15,31 @@ Bad:
     #REPEAT(100001)<M08>
             ^^^^^^
 
+Bad (input=sample.cl):
+
+    #CALL(one)
+    @
+    @one
+    #CALL(two)
+    @
+    @two
+    #CALL(one)
+          ^^^
+    -- sample.cl --
+    FEDRAT/200
+    GOTO/1,0,0
+    FINI
+
+Bad (input=sample.cl):
+
+    #EVAL(#V1=100001)
+    #REPEAT(#V1)<M08>
+            ^^^
+    -- sample.cl --
+    FEDRAT/200
+    GOTO/1,0,0
+    FINI
+
 Good:
 
     <#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1<#V1>>>>>>>>>>>>>>>>>>>>>>>>>>>>>>>>
@@ -24,7 +50,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import DEEPEST, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.items import DEEPEST
 from deburr_grammar.text import Span
 
 MOST_PASSES = 100_000

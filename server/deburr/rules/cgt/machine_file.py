@@ -76,11 +76,11 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.formats.machine import place
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._beside import beside
 from deburr.rules.cgt._sections import unreadable
-from deburr.rules.cgt._symbols import built_in, table_words
-from deburr.rules.cgt._template import Template, target, template_of
+from deburr.rules.cgt._template import configured, template_of
 from deburr.suggest import suggestion
+from deburr.templates.symbols import built_in, table_words
+from deburr.templates.template import Template, target
 from deburr_grammar.text import Span
 
 
@@ -89,7 +89,7 @@ def check(analysis: Analysis) -> Iterator[Report]:
     """Report the key, in the machine file itself."""
     template = template_of(analysis)
     yield from unreadable(analysis, template, "machine")
-    file = beside(analysis, "machine")
+    file = configured(analysis, "machine")
     if file.text is None:
         return
     found = [(fault.line, fault.span, fault.message) for fault in template.machine.faults]

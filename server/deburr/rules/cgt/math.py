@@ -21,6 +21,15 @@ Bad:
     #EVAL(#S1=STRSUB(#S2,0,3))
               ^^^^^^^^^^^^^^^
 
+Bad (input=sample.cl):
+
+    #EVAL(#V1=SQR(#YPOS-4))
+              ^^^^^^^^^^^^
+    -- sample.cl --
+    FEDRAT/200
+    GOTO/1,0,0
+    FINI
+
 Good:
 
     #EVAL(#V1=SQR(0)+ACOS(1)+TAN(89)+(-8)^2)

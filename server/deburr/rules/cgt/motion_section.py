@@ -58,8 +58,9 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._symbols import POSITIONS
-from deburr.rules.cgt._template import Template, target, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.symbols import POSITIONS
+from deburr.templates.template import Template, target
 
 
 @rule(Severity.WARNING, Whole())

@@ -29,9 +29,10 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.cgt._brackets import tests_of
-from deburr.rules.cgt._symbols import POSITIONS
-from deburr.rules.cgt._template import Body, Item, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.brackets import tests_of
+from deburr.templates.items import Body, Item
+from deburr.templates.symbols import POSITIONS
 
 
 @rule(Severity.WARNING, Whole())

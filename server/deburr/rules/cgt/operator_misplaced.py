@@ -41,8 +41,9 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._brackets import Tests, read_brackets, tests_of
-from deburr.rules.cgt._template import Body, Item, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.brackets import Tests, read_brackets, tests_of
+from deburr.templates.items import Body, Item
 
 
 @rule(Severity.ERROR, Whole())

@@ -16,6 +16,16 @@ Bad:
     #REPEAT(#V1+1)<M08>
             ^^^^^
 
+Bad (input=sample.cl):
+
+    #EVAL(#V1=#XPOS/2)
+    #REPEAT(#V1)<M08>
+            ^^^
+    -- sample.cl --
+    FEDRAT/200
+    GOTO/1,0,0
+    FINI
+
 Good:
 
     #REPEAT(0)<M08>
@@ -26,9 +36,9 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._symbols import Symbols
 from deburr.rules.cgt._template import template_of
-from deburr.rules.cgt._types import no_numbers
+from deburr.templates.symbols import Symbols
+from deburr.templates.types import no_numbers
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 

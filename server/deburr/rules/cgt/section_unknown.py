@@ -36,7 +36,8 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import computed, misspelt, misspelt_declare, similar_section
-from deburr.rules.cgt._template import target, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.template import target
 from deburr_grammar.dialects.cgt.outline import SECTIONS
 
 

@@ -27,7 +27,9 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import Item, Template, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.items import Item
+from deburr.templates.template import Template
 
 
 @rule(Severity.INFO, Whole())

@@ -20,6 +20,30 @@ Bad:
     2,Med // the blank line is no row
     3,High
 
+Bad (input=sample.cl):
+
+    #EVAL(#V1=2*#XPOS)
+    #TABLE(levels,#V1)
+                  ^^^
+    @
+    @levels
+    0,Off
+    1,Low
+    -- sample.cl --
+    FEDRAT/200
+    GOTO/1,0,0
+    FINI
+
+Bad (input=sample.cl):
+
+    #EVAL(#COOLNT=3)
+    #COOLNT
+    ^^^^^^^
+    -- sample.cl --
+    FEDRAT/200
+    GOTO/1,0,0
+    FINI
+
 Good:
 
     (COOLANT #TABLE(levels, 0))
@@ -37,7 +61,8 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.arithmetic.cgt import constant
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import target, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.template import target
 from deburr_grammar.text import Span
 
 

@@ -32,7 +32,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.cgt._template import Body, Item, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.items import Body, Item
 
 
 @rule(Severity.WARNING, Whole())

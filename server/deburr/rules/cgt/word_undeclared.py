@@ -35,8 +35,9 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._symbols import commands, format_classes
-from deburr.rules.cgt._template import Use, template_of
+from deburr.rules.cgt._template import template_of
+from deburr.templates.symbols import commands, format_classes
+from deburr.templates.template import Use
 
 
 @rule(Severity.ERROR, Whole())

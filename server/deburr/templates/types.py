@@ -1,14 +1,24 @@
 """Which values are numbers and which are texts (spec/cgt.md §5.8). Says nothing of words that nobody knows."""
 
+import math
+import re
 from collections.abc import Iterator
 
 from deburr.arithmetic.cgt import arguments_of
-from deburr.rules.cgt._symbols import Symbols
+from deburr.templates.symbols import Symbols
 from deburr_grammar.tree import Node, Token, walk
 
 TEXT_FUNCTIONS = frozenset({"STRSUB"})
 OF_TEXT = frozenset({"STRLEN", "STRSUB"})
 """Functions whose first argument is a text."""
+
+
+_NUMBER = re.compile(r"[ \t]*[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)[ \t]*")
+
+
+def is_number(said: str) -> bool:
+    """Whether a text is a number as templates write them, with blanks around it."""
+    return _NUMBER.fullmatch(said) is not None and math.isfinite(float(said))
 
 
 def value_of(node: Node, behind: str) -> Node | Token | None:

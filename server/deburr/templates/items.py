@@ -149,6 +149,7 @@ class Builder:
         """The text behind a command that nobody knows, which may be its arguments."""
 
     def add(self, items: Iterator[Item]) -> None:
+        """Put the items of a line where they belong."""
         for item in items:
             if item.kind == "open":
                 self._open(item)

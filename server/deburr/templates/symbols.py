@@ -147,6 +147,11 @@ def built_in(name: str) -> str | None:
     return word.type if word else "command" if name in commands() else None
 
 
+def is_free(name: str) -> bool:
+    """Whether a word is a user's though nothing declares it."""
+    return _FAMILY.fullmatch(name) is not None
+
+
 def missing_sign(said: str) -> str:
     """The end of a message about a name that is a word but for its `#`: `; did you mean `#V1`?`, or nothing."""
     name = said.upper()

@@ -4,7 +4,8 @@ from bisect import bisect_left
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from deburr.rules.cgt._template import Body, Item, Template
+from deburr.templates.items import Body, Item
+from deburr.templates.template import Template
 from deburr_grammar.text import Span
 
 

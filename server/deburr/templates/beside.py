@@ -1,18 +1,19 @@
-"""The files that a template is configured with: its toolpath and its machine file, each read once for each text."""
+"""The files that a template is configured with: its toolpath and its machine file, each read once for each text. Never opens a file itself."""
 
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr.host import NoFiles
 
 if TYPE_CHECKING:
-    from deburr.analysis import Analysis
+    from collections.abc import Mapping
+
     from deburr.formats import Fault
-    from deburr.formats.cl import Toolpath
     from deburr.formats.events import Events
     from deburr.formats.machine import Machine
+    from deburr.host import Host
 
 
 class Beside(NamedTuple):
@@ -22,19 +23,19 @@ class Beside(NamedTuple):
     text: str | None
 
 
-def beside(analysis: Analysis, key: str) -> Beside:
+def beside(settings: Mapping[str, Any], host: Host, key: str) -> Beside:
     """The file that a setting names. Text that stands for itself has no files around it."""
-    path = analysis.settings.get(key) or ""
-    if not path or isinstance(analysis.host, NoFiles):
+    path = settings.get(key) or ""
+    if not path or isinstance(host, NoFiles):
         return Beside("", None)
-    return Beside(path, analysis.host.read(path))
+    return Beside(path, host.read(path))
 
 
 def toolpath_faults(file: Beside) -> tuple[Fault, ...]:
     """What is wrong with a toolpath, whatever the template is."""
     if file.text is None:
         return ()
-    return events_in(file).faults if is_events(file) else _toolpath(file.text).faults
+    return events_in(file).faults if is_events(file) else _toolpath_faults(file.text)
 
 
 def is_events(file: Beside) -> bool:
@@ -47,16 +48,16 @@ def events_in(file: Beside) -> Events:
     return _events(file.text or "")
 
 
-def machine_of(analysis: Analysis) -> Machine:
-    """What the machine file says; nothing where there is none."""
-    return _machine(beside(analysis, "machine").text or "")
+def machine_in(file: Beside) -> Machine:
+    """What a machine file says; nothing where there is none."""
+    return _machine(file.text or "")
 
 
 @lru_cache(maxsize=4)
-def _toolpath(text: str) -> Toolpath:
+def _toolpath_faults(text: str) -> tuple[Fault, ...]:
     from deburr.formats.cl import read
 
-    return read(text)
+    return read(text).faults
 
 
 @lru_cache(maxsize=4)
