@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from functools import cached_property
 from itertools import islice, pairwise
 from typing import NamedTuple, TypeVar
@@ -158,6 +158,40 @@ class Document:
     def partner(self, line: int, bracket: Bracket) -> tuple[int, Bracket] | None:
         """The other end of an opener or closer by depth alone; None where there is none in its region."""
         return Partners(self._outliner, self._way(line).path).find(line, bracket)
+
+    def gathered(self, key: Hashable, of: Callable[[Piece], frozenset[S]]) -> frozenset[S]:
+        """What the pieces hold, united. It may hang on a piece's text, its readings and ``key`` alone, and is kept with chunks and branches."""
+        return self._gathered(self._root, self._outliner.start, key, of)
+
+    def holding(self, key: Hashable, of: Callable[[Piece], frozenset[S]], item: S) -> Iterator[Piece]:
+        """The pieces that hold an item of what is `gathered`, in order; branches without it are passed over."""
+        waiting: list[tuple[Branch | Chunk, Before, int]] = [(self._root, self._outliner.start, 0)]
+        while waiting:
+            node, before, line = waiting.pop()
+            if item not in self._gathered(node, before, key, of):
+                continue
+            if isinstance(node, Chunk):
+                yield Piece(line, node, before, self._outliner.outlined(node, before))
+                continue
+            inner = []
+            for child, held in self._outliner.inner(node, before):
+                inner.append((child, held, line))
+                line += child.eols
+            waiting += reversed(inner)
+
+    def _gathered(
+        self, node: Branch | Chunk, before: Before, key: Hashable, of: Callable[[Piece], frozenset[S]]
+    ) -> frozenset[S]:
+        full = (key, self._outliner.key(node, before))
+        found: frozenset[S] | None = node.memo.get(full)
+        if found is None:
+            if isinstance(node, Chunk):
+                found = of(Piece(0, node, before, self._outliner.outlined(node, before)))
+            else:
+                inner = self._outliner.inner(node, before)
+                found = frozenset[S]().union(*(self._gathered(child, held, key, of) for child, held in inner))
+            self._outliner.keep(node, full, found)
+        return found
 
     def state(self, fold: Fold[S], line: int) -> S:
         """The state of a fold before a line."""

@@ -61,6 +61,17 @@ class Grammar:
             return _faulty(text, start, unexpected)
         return _DEEP if _too_deep([tree]) else Parsed(_as_node(tree, start), None)
 
+    def following(self, start: str, text: str) -> frozenset[str]:
+        """The terminals that could follow the start of a line; none if that itself cannot be read."""
+        from lark.exceptions import UnexpectedInput
+
+        parser = self._lark.parse_interactive(text, start)
+        try:
+            parser.exhaust_lexer()
+        except UnexpectedInput:
+            return frozenset()
+        return _accepted(parser.parser_state)
+
     def build(self) -> Lark:
         """The parser, made from the grammar text."""
         from lark import Lark

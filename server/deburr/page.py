@@ -47,6 +47,24 @@ def page_of(rule: Rule, dialect: Dialect, *, short: bool = True) -> Page:
     return Page(summary, why, source[1] if source else "", blocks)
 
 
+def markdown(rule: Rule, dialect: Dialect) -> str:
+    """A rule's page in Markdown."""
+    page = page_of(rule, dialect)
+    source = [f"Source: {page.source}"] if page.source else []
+    head = [f"# {rule.name} ({kind(rule)})", page.summary, page.why, *source]
+    return "\n\n".join([*head, *(_fenced(block) for block in page.blocks)])
+
+
+def kind(rule: Rule) -> str:
+    """A rule's severity, and whether it speaks unless asked to."""
+    return rule.severity.word if rule.default else f"{rule.severity.word}, off by default"
+
+
+def title(block: Block) -> str:
+    """The heading of an example."""
+    return ("Good" if block.good else "Bad") + (f" ({', '.join(block.options)})" if block.options else "")
+
+
 def spelled(text: str, dialect: Dialect, short: bool) -> str:
     """A page with its placeholders written out."""
     lines = text.split("\n")
@@ -61,6 +79,10 @@ def spelled(text: str, dialect: Dialect, short: bool) -> str:
 def _block(match: re.Match[str]) -> Block:
     options = tuple(option.strip() for option in (match[2] or "").split(",") if option.strip())
     return Block(match[1] == "Good", options, tuple(line[4:] for line in match[3].rstrip("\n").split("\n")))
+
+
+def _fenced(block: Block) -> str:
+    return "\n".join([f"{title(block)}:", "", "```", *block.lines, "```"])
 
 
 def _written(line: str, dialect: Dialect, short: bool) -> tuple[str, Callable[[int], int]]:

@@ -167,12 +167,21 @@ def test_over_tcp(launch: Callable[..., Client], tmp_path: Path) -> None:
         said = re.search(rb":([0-9]+)\n", server.stderr.readline())
         assert said is not None
         with socket.create_connection(("127.0.0.1", int(said[1]))) as connection:
-            connection.sendall(framed(json.dumps({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {}}).encode()))
+            connection.sendall(
+                framed(json.dumps({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {}}).encode())
+            )
             frames, bodies = Frames(), []
             while not bodies:
                 bodies += frames.feed(connection.recv(1 << 16))
             assert json.loads(bodies[0])["result"]["capabilities"]["positionEncoding"] == "utf-16"
         assert server.wait(20) == 1
+
+
+def test_the_first_answer_waits_for_no_large_import() -> None:
+    large = ("asyncio", "attrs", "cattrs", "lark", "lsprotocol", "pygls", "pathspec")
+    code = f"import sys, deburr.lsp.start, deburr.lsp.stream, deburr.cli.server; print([m for m in {large} if m in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "[]\n"
 
 
 def test_what_came_in_one_write_is_answered_in_order(client: Client) -> None:

@@ -46,7 +46,7 @@ class Client:
         environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
         command = [sys.executable, "-m", "deburr", "server", *arguments]
         pipe = subprocess.PIPE
-        self.log = TemporaryFile()
+        self.log = TemporaryFile()  # noqa: SIM115  it lives as long as the process.
         self.process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=self.log, cwd=folder, env=environment)
         self.folder = folder
         self.said: list[Json] = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+from time import monotonic
 from typing import Any
 
 from deburr.lsp.client import client_of
@@ -11,6 +12,9 @@ from deburr.lsp.server import Server
 from deburr.lsp.stream import Frames
 
 Json = dict[str, Any]
+
+PATIENCE = 60.0
+"""Seconds after which an answer is taken never to come."""
 
 
 class Inside:
@@ -52,7 +56,8 @@ class Inside:
         """A request and its result, or the error that it was refused with."""
         self._number += 1
         self._send({"id": self._number, "method": method, "params": params})
-        for _ in range(100):
+        until = monotonic() + PATIENCE
+        while monotonic() < until:
             for message in self.said:
                 if message.get("id") == self._number and "method" not in message:
                     self.said.remove(message)

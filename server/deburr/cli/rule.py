@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from deburr.cli.common import unable
-from deburr.page import Block, page_of
+from deburr.page import kind, markdown, page_of, title
 from deburr.rule import Rule, covers, rule_names, rules_of
 from deburr.selection import unknown
 from deburr_grammar.dialects import NAMES, by_name
@@ -37,14 +37,6 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def markdown(rule: Rule, dialect: str) -> str:
-    """A rule's page in Markdown."""
-    page = page_of(rule, by_name(dialect))
-    source = [f"Source: {page.source}"] if page.source else []
-    head = [f"# {rule.name} ({kind(rule)})", page.summary, page.why, *source]
-    return "\n\n".join([*head, *(_fenced(block) for block in page.blocks)])
-
-
 def _rules(names: set[str]) -> Iterator[tuple[Rule, str]]:
     for dialect in sorted({name.partition(".")[0] for name in names}):
         yield from ((rule, dialect) for rule in rules_of(dialect) if rule.name in names)
@@ -54,11 +46,11 @@ def _page(rule: Rule, dialect: str, form: str) -> str:
     if form == "json":
         return _dumped(_object(rule, dialect))
     if form == "markdown":
-        return markdown(rule, dialect)
+        return markdown(rule, by_name(dialect))
     page = page_of(rule, by_name(dialect))
     parts = [f"{rule.name} ({kind(rule)})", page.summary, page.why, f"Source: {page.source}"]
     parts += [
-        f"{_title(block)}:\n\n" + "\n".join(f"    {line}".rstrip() for line in block.lines) for block in page.blocks
+        f"{title(block)}:\n\n" + "\n".join(f"    {line}".rstrip() for line in block.lines) for block in page.blocks
     ]
     return "\n\n".join(parts)
 
@@ -91,16 +83,3 @@ def _dumped(found: Any) -> str:
     from json import dumps
 
     return dumps(found, indent=2, ensure_ascii=False)
-
-
-def kind(rule: Rule) -> str:
-    """A rule's severity, and whether it speaks unless asked to."""
-    return rule.severity.word if rule.default else f"{rule.severity.word}, off by default"
-
-
-def _title(block: Block) -> str:
-    return ("Good" if block.good else "Bad") + (f" ({', '.join(block.options)})" if block.options else "")
-
-
-def _fenced(block: Block) -> str:
-    return "\n".join([f"{_title(block)}:", "", "```", *block.lines, "```"])

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from deburr.cli.rule import kind, markdown
+from deburr.page import kind, markdown
 from deburr.rule import rule_names, rules_of
 from deburr.schema import LEVELS, TOP, Free, tables
 from deburr_grammar.dialect import Kind, Setting
@@ -43,7 +43,7 @@ def main() -> int:
 
 def pages(dialect: str) -> str:
     """The pages of a dialect's rules."""
-    found = [markdown(rule, dialect).replace("# ", "## ", 1) for rule in rules_of(dialect)]
+    found = [markdown(rule, by_name(dialect)).replace("# ", "## ", 1) for rule in rules_of(dialect)]
     return "\n\n".join([f"# Rules of {by_name(dialect).title}", *found]) + "\n"
 
 

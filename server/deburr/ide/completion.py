@@ -1,0 +1,103 @@
+"""What can stand at a place: what the grammar expects there, filled with the names that there are. Offers nothing that the line could not take."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import islice
+from typing import TYPE_CHECKING, NamedTuple
+
+from deburr.ide.hover import described, rows
+from deburr.ide.related import related
+from deburr.symbols import Language, Offer, Sort, language_of
+from deburr.symbols.index import all_symbols, at, mentions_of, region, regions_of
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from deburr.ide.view import View
+    from deburr_grammar.codes import Entry
+    from deburr_grammar.dialect import Dialect
+    from deburr_grammar.text import Pos
+
+_SORTS = {
+    Offer.VARIABLES: Sort.VARIABLE,
+    Offer.SUBS: Sort.SUB,
+    Offer.LABELS: Sort.LABEL,
+    Offer.SECTIONS: Sort.SECTION,
+}
+
+
+class Item(NamedTuple):
+    """Something that can be written: in full, what it is, in short what it means, and the columns that it replaces."""
+
+    text: str
+    sort: str
+    detail: str
+    span: Span
+    table: str = ""
+    """The table and the name under which `resolved` finds more."""
+    name: str = ""
+
+
+def completions(view: View, pos: Pos) -> list[Item]:
+    """All that can be written at a place, in the order in which it is offered."""
+    language = language_of(view.dialect.name)
+    if language is None:
+        return []
+    before = view.document.line(pos.line)[: pos.col]
+    start = language.partial(before)
+    span = Span(start, pos.col)
+    offers = language.offers(expected(view, pos.line, before[:start]), before[:start], before[start:])
+    found: dict[str, Item] = {}
+    for item in _items(view, pos, language, offers, span):
+        found.setdefault(item.text, item)
+    wanted = before[start:].lower()
+    return [item for item in found.values() if item.text.lower().startswith(wanted[:1]) or not wanted]
+
+
+def expected(view: View, line: int, before: str) -> frozenset[str]:
+    """The terminals that the grammar takes behind the start of a line."""
+    reading = view.document.node(line).reading
+    if reading.start is None:
+        return frozenset()
+    return view.dialect.grammar.following(reading.start, before)
+
+
+def resolved(dialect: Dialect, table: str, name: str) -> str:
+    """All that a table says of an item, in Markdown."""
+    entry = dialect.codes.entry(table, name)
+    return "" if entry is None else "\n\n".join(part for part in (*described(entry), rows(entry)) if part)
+
+
+def _items(view: View, pos: Pos, language: Language, offers: Iterable[Offer | str], span: Span) -> Iterator[Item]:
+    for offer in offers:
+        if isinstance(offer, str):
+            yield from (_entry(each, language, span) for each in view.dialect.codes.table(offer) if each.first is None)
+        elif offer is Offer.FILES:
+            yield from (Item(name, "file", "", span) for name in language.files(view.file, view.ruleset, view.host))
+        else:
+            yield from _symbols(view, pos, language, _SORTS[offer], span)
+
+
+def _symbols(view: View, pos: Pos, language: Language, sort: Sort, span: Span) -> Iterator[Item]:
+    """The names of a sort that mean something here: local ones of this region, others of all programs that belong together."""
+    own = region(view.document, pos.line)
+    # What is being written is a name already, but one that nothing else names is not worth offering.
+    placed = at(view.document, pos.line, pos.col)
+    written = placed.mention.symbol if placed is not None else None
+    for each in related(view):
+        for symbol in sorted(all_symbols(each.document), key=lambda known: known.name):
+            if symbol == written and len(list(islice(mentions_of(each.document, symbol, own), 2))) < 2:
+                continue
+            if symbol.sort is not sort or not symbol.name or (symbol.local and each is not view):
+                continue
+            if symbol.local and own not in regions_of(each.document, symbol):
+                continue
+            if sort in (Sort.LABEL, Sort.SECTION) and each is not view:
+                continue
+            text = language.written(symbol) if sort is not Sort.SECTION else symbol.name
+            yield Item(text, sort.value, "" if each is view else each.file.rpartition("/")[2], span)
+
+
+def _entry(entry: Entry, language: Language, span: Span) -> Item:
+    text = language.spelled(entry)
+    return Item(text, entry.table, entry.title, span, entry.table, entry.name)

@@ -1,0 +1,72 @@
+"""What the server can do, as JSON: a function of the client. Imports nothing large, because the answer must not wait for imports."""
+
+from typing import Any
+
+from deburr import __version__
+from deburr.lsp.client import Client
+
+COMMANDS = ("deburr.expand", "deburr.sourceMap", "deburr.explainDialect")
+EXPANDED = "deburr-expanded"
+"""The scheme of flat programs."""
+PAGES = "deburr-rule"
+"""The scheme of the rules' manual pages."""
+TOKEN_TYPES = (
+    "variable",
+    "function",
+    "label",
+    "namespace",
+    "string",
+    "macro",
+    "property",
+    "method",
+    "keyword",
+    "comment",
+    "number",
+)
+TOKEN_MODIFIERS = ("declaration", "modification")
+
+_PROVIDERS: dict[str, Any] = {
+    "hoverProvider": True,
+    "completionProvider": {"triggerCharacters": ["#", "|", "<", "@"], "resolveProvider": True},
+    "signatureHelpProvider": {"triggerCharacters": ["(", "[", ",", " "]},
+    "definitionProvider": True,
+    "declarationProvider": True,
+    "referencesProvider": True,
+    "documentHighlightProvider": True,
+    "renameProvider": {"prepareProvider": True},
+    "documentSymbolProvider": True,
+    "workspaceSymbolProvider": True,
+    "foldingRangeProvider": True,
+    "selectionRangeProvider": True,
+    "codeActionProvider": {"codeActionKinds": ["quickfix"]},
+    "semanticTokensProvider": {
+        "legend": {"tokenTypes": list(TOKEN_TYPES), "tokenModifiers": list(TOKEN_MODIFIERS)},
+        "range": True,
+        "full": {"delta": True},
+    },
+    "documentLinkProvider": {"resolveProvider": False},
+    "codeLensProvider": {"resolveProvider": False},
+    "inlayHintProvider": {"resolveProvider": False},
+    "linkedEditingRangeProvider": True,
+    "executeCommandProvider": {"commands": list(COMMANDS)},
+}
+
+
+def answer(client: Client) -> dict[str, Any]:
+    """The result of `initialize`."""
+    return {"capabilities": capabilities(client), "serverInfo": {"name": "deburr", "version": __version__}}
+
+
+def capabilities(client: Client) -> dict[str, Any]:
+    """The capabilities of the server for a client."""
+    workspace: dict[str, Any] = {"workspaceFolders": {"supported": True, "changeNotifications": True}}
+    if client.content:
+        workspace["textDocumentContent"] = {"schemes": [EXPANDED, PAGES]}
+    diagnostics = {"identifier": "deburr", "interFileDependencies": True, "workspaceDiagnostics": True}
+    return {
+        "positionEncoding": client.encoding,
+        "textDocumentSync": {"openClose": True, "change": 2, "save": {"includeText": False}},
+        "workspace": workspace,
+        **({"diagnosticProvider": diagnostics} if client.pulls else {}),
+        **_PROVIDERS,
+    }

@@ -1,0 +1,72 @@
+"""The first moments of a server: `initialize` is answered before anything large is imported. Never understands any other request."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from deburr.lsp.capabilities import answer
+from deburr.lsp.client import Client, client_of
+from deburr.lsp.stream import Frames, framed
+
+if TYPE_CHECKING:
+    from deburr.lsp.stream import Stream
+
+NOT_INITIALIZED = -32002
+PARSE_ERROR = -32700
+INVALID_REQUEST = -32600
+
+
+class Met(NamedTuple):
+    """The client after its `initialize` was answered, and the messages that came with that one."""
+
+    client: Client
+    waiting: tuple[bytes, ...]
+
+
+def serve(stream: Stream) -> int:
+    """Serve one client to its end; the exit code."""
+    frames = Frames()
+    met = met_on(stream, frames)
+    if met is None:
+        return 1
+    from deburr.lsp.server import run
+
+    return run(stream, frames, met)
+
+
+def met_on(stream: Stream, frames: Frames) -> Met | None:
+    """Wait for `initialize` and answer it; None if the client goes first."""
+    while data := stream.receive():
+        bodies = frames.feed(data)
+        for body in bodies:
+            message = parsed(body)
+            if not isinstance(message, dict):
+                stream.write(error_for(None, PARSE_ERROR, "a message must be a JSON object"))
+            elif message.get("method") == "initialize" and "id" in message:
+                client = client_of(message.get("params"))
+                stream.write(_response(message["id"], {"result": answer(client)}))
+                return Met(client, tuple(bodies))
+            elif message.get("method") == "exit":
+                return None
+            elif "id" in message and "method" in message:
+                stream.write(error_for(message["id"], NOT_INITIALIZED, "`initialize` must come first"))
+    return None
+
+
+def parsed(body: bytes) -> Any:
+    """The JSON of a body; None if it is none."""
+    try:
+        return json.loads(body)
+    except (ValueError, RecursionError):
+        return None
+
+
+def error_for(number: Any, code: int, message: str, data: Any = None) -> bytes:
+    """An error response."""
+    error = {"code": code, "message": message} | ({} if data is None else {"data": data})
+    return _response(number, {"error": error})
+
+
+def _response(number: Any, outcome: dict[str, Any]) -> bytes:
+    return framed(json.dumps({"jsonrpc": "2.0", "id": number, **outcome}).encode())

@@ -1,0 +1,151 @@
+"""The mentions of a document: kept with each chunk, found by place and by symbol. Never goes through lines that name nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from deburr.symbols import SOUGHT, Language, Mention, Symbol, language_of
+from deburr_grammar.dialect import Bracket, Reading, Role
+
+if TYPE_CHECKING:
+    from deburr_grammar.document import Document, Piece
+    from deburr_grammar.line import LineNode, Shape
+
+Region = tuple[str, str | None] | None
+"""The region that a line is in: its kind and its label; None: in none."""
+
+
+class Placed(NamedTuple):
+    """A mention, its line, and the region of a local symbol."""
+
+    line: int
+    mention: Mention
+    region: Region
+
+
+class _Regions:
+    """A fold whose state is the region."""
+
+    start: Region = None
+
+    def plain(self, state: Region, reading: Reading, shape: Shape) -> Region:
+        """Only brackets change it."""
+        return state
+
+    def marked(self, state: Region, line: LineNode, brackets: Sequence[Bracket]) -> Region:
+        """Behind the brackets of a line."""
+        for bracket in brackets:
+            state = _behind(state, bracket)
+        return state
+
+
+_REGIONS = _Regions()
+
+
+def on_line(document: Document, line: int) -> list[Mention]:
+    """What a line names, from left to right."""
+    language = language_of(document.dialect.name)
+    if language is None or not 0 <= line < document.line_count:
+        return []
+    return _of_line(document.node(line), language, language.names(document))
+
+
+def at(document: Document, line: int, col: int) -> Placed | None:
+    """What is named at a place, or right before it; of mentions in each other the inner one."""
+    found = [each for each in on_line(document, line) if each.symbol.name and each.span.start <= col <= each.span.end]
+    inside = [each for each in found if col < each.span.end] or found
+    mention = min(inside, key=lambda each: each.span.end - each.span.start, default=None)
+    return None if mention is None else Placed(line, mention, region(document, line) if mention.symbol.local else None)
+
+
+def region(document: Document, line: int) -> Region:
+    """The region that a line is in; its first and last line are in it."""
+    before = document.state(_REGIONS, line)
+    piece = document.piece(line)
+    for index, bracket in piece.outlined.brackets:
+        if piece.line + index == line and bracket.role is Role.REGION:
+            return _behind(before, bracket)
+    return before
+
+
+def mentions_of(document: Document, symbol: Symbol, where: Region = None) -> Iterator[Placed]:
+    """All places that name a symbol, in order; of a local one those in its region."""
+    index = _Index.of(document)
+    for piece in index.pieces(symbol) if index is not None and symbol.sort in SOUGHT else ():
+        for at, mention in index.placed(piece)[symbol] if index is not None else ():
+            line = piece.line + at
+            within = region(document, line) if symbol.local else None
+            if within == where:
+                yield Placed(line, mention, within)
+
+
+def regions_of(document: Document, symbol: Symbol) -> set[Region]:
+    """The regions in which a symbol is named."""
+    index = _Index.of(document)
+    found: set[Region] = set()
+    for piece in index.pieces(symbol) if index is not None else ():
+        for at, _ in index.placed(piece)[symbol] if index is not None else ():
+            found.add(region(document, piece.line + at))
+    return found
+
+
+def all_symbols(document: Document) -> frozenset[Symbol]:
+    """All symbols that are looked for."""
+    index = _Index.of(document)
+    return frozenset() if index is None else document.gathered(index.key, index.symbols)
+
+
+class _Index:
+    """The mentions of a document under the names that its language takes from all of it."""
+
+    def __init__(self, document: Document, language: Language) -> None:
+        self._document = document
+        self._language = language
+        self._names = language.names(document)
+        self.key = ("symbols", self._names)
+
+    @classmethod
+    def of(cls, document: Document) -> _Index | None:
+        """The index of a document; None if nothing is known of its language."""
+        language = language_of(document.dialect.name)
+        return None if language is None else cls(document, language)
+
+    def pieces(self, symbol: Symbol) -> Iterator[Piece]:
+        """The pieces that name a symbol."""
+        return self._document.holding(self.key, self.symbols, symbol)
+
+    def symbols(self, piece: Piece) -> frozenset[Symbol]:
+        """What a piece names."""
+        return frozenset(self.placed(piece))
+
+    def placed(self, piece: Piece) -> dict[Symbol, list[tuple[int, Mention]]]:
+        """The mentions of a piece by symbol, with their lines counted from its first; kept with the chunk."""
+        key = ("mentions", self._document.key(piece), self._names)
+        found: dict[Symbol, list[tuple[int, Mention]]] | None = piece.chunk.memo.get(key)
+        if found is None:
+            found = piece.chunk.memo[key] = {}
+            for index, mention in self._mentions(piece):
+                if mention.symbol.sort in SOUGHT and not mention.passing:
+                    found.setdefault(mention.symbol, []).append((index, mention))
+        return found
+
+    def _mentions(self, piece: Piece) -> Iterator[tuple[int, Mention]]:
+        naming = self._language.NAMING
+        for reading, first, shapes in piece.read():
+            wanted = {shape for shape in set(shapes) if not shape.facts(reading).kinds.isdisjoint(naming)}
+            for index in (at for at, shape in enumerate(shapes, first) if shape in wanted) if wanted else ():
+                for mention in _of_line(piece.node(index), self._language, self._names):
+                    yield index, mention
+
+
+def _behind(state: Region, bracket: Bracket) -> Region:
+    if bracket.role is Role.REGION:
+        return bracket.kind, bracket.label
+    return None if bracket.role is Role.END_REGION else state
+
+
+def _of_line(line: LineNode, language: Language, names: Hashable) -> list[Mention]:
+    if line.reading.start is None:
+        return []
+    return sorted(language.mentions(line, names), key=lambda each: each.span)
