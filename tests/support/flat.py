@@ -23,13 +23,16 @@ MAIN, TABLE, STORED = "main.ngc", "tools.tbl", "p.var"
 RULES = RuleSet(DIALECT, {"axes": "XYZABC", "tool-table": TABLE, "parameters": STORED})
 """The settings under which deburr is the machine that the stand-alone interpreter is."""
 INPUTS = Inputs(simulate=True, decimals=EXACT, block_delete=False)
-TOOLS = "".join(f"T{number} P{number} D0.001\n" for number in range(3, 100)) + "T1 P1 Z1.5 D0.25\nT2 P2 X0.5 Z-0.25 D0.5 I1 J2 Q3\n"
+TOOLS = (
+    "".join(f"T{number} P{number} D0.001\n" for number in range(3, 100))
+    + "T1 P1 Z1.5 D0.25\nT2 P2 X0.5 Z-0.25 D0.5 I1 J2 Q3\n"
+)
 SECONDS = 4
 _MEMORY = Path("/dev/shm")
 """The interpreter waits for a disk each time that it writes its parameters."""
 _CALL = re.compile(r" *\d+ N[0-9.]+ +(.*)")
 _MINUS_ZERO = re.compile(r"-(0\.0+)(?![0-9])")
-_TAG = re.compile(r"N(\d+)|;(\d+)\s*$", re.I)
+_TAG = re.compile(r"^N(\d+)|;(\d+)\s*$", re.I)
 _SEEKING = re.compile(r"EOF in file:.* seeking o-word: .* from line: ([1-9][0-9]*)$")
 _MESSAGE = re.compile(r"^\d+: ")
 Place = tuple[str, int]
@@ -47,7 +50,7 @@ class Ran:
     @property
     def tagged(self) -> int | None:
         """The row of the fault, if lines carry their numbers (1-based) as N words or behind a `;`."""
-        tag = _SEEKING.match(self.message) or _TAG.search(self.echo)
+        tag = _SEEKING.match(self.message) or _TAG.search(self.echo.strip())
         return int(tag[tag.lastindex or 0]) - 1 if tag is not None else None
 
 
@@ -58,11 +61,17 @@ class Case:
     name: str
     text: str
     files: Mapping[str, str] = field(default_factory=dict)
+    main: str = MAIN
+    tools: str = TOOLS
+    checked: bool = True
+    """Whether it is also checked before it is run."""
+    tagged: bool = False
+    """Whether its lines carry their numbers: see `Ran.tagged`."""
 
     @cached_property
     def all_files(self) -> dict[str, str]:
         """What stands in the program's folder."""
-        return {TABLE: TOOLS, STORED: "", **self.files, MAIN: self.text}
+        return {TABLE: self.tools, STORED: "", **self.files, self.main: self.text}
 
     @cached_property
     def document(self) -> Document:
@@ -77,13 +86,15 @@ class Case:
     @cached_property
     def wrong(self) -> frozenset[Place]:
         """Where a check finds errors, without a run."""
-        found = Analysis(self.document, RULES, MAIN, self.host).findings()
+        if not self.checked:
+            return frozenset()
+        found = Analysis(self.document, RULES, self.main, self.host).findings()
         return frozenset((each.place.file, each.place.line) for each in found if each.severity is Severity.ERROR)
 
     @cached_property
     def expansion(self) -> Expansion:
         """Its expansion, whatever a check says of it."""
-        return expand([Program(MAIN, self.document)], RULES, self.host, INPUTS, Budget(200_000, 200_000))
+        return expand([Program(self.main, self.document)], RULES, self.host, INPUTS, Budget(200_000, 200_000))
 
     @cached_property
     def refused(self) -> frozenset[Place]:
@@ -108,17 +119,26 @@ def is_error(kind: str) -> bool:
     return RULES.severity(rule) is Severity.ERROR
 
 
-def ran(files: Mapping[str, str]) -> Ran:
-    """Run `main.ngc` of a folder with these files, with a home of its own."""
+def ran(files: Mapping[str, str], main: str = MAIN) -> Ran:
+    """Run a program of a folder with these files, with a home of its own."""
     with TemporaryDirectory(dir=_MEMORY if _MEMORY.is_dir() else None) as name:
         folder = Path(name)
         for path, text in files.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             (folder / path).write_bytes(text.encode("utf-8"))
-        command = ["sh", "-c", f"ulimit -t {SECONDS}; ulimit -f 100000; exec rs274 -g -n 2 -t {TABLE} -v {STORED} {MAIN} >out 2>err"]
+        command = [
+            "sh",
+            "-c",
+            f"ulimit -t {SECONDS}; ulimit -f 100000; exec rs274 -g -n 2 -t {TABLE} -v {STORED} {main} >out 2>err",
+        ]
         try:
             status = subprocess.run(
-                command, cwd=folder, env={**os.environ, "HOME": name}, stdin=subprocess.DEVNULL, timeout=SECONDS, check=False
+                command,
+                cwd=folder,
+                env={**os.environ, "HOME": name},
+                stdin=subprocess.DEVNULL,
+                timeout=SECONDS,
+                check=False,
             ).returncode
         except subprocess.TimeoutExpired:
             return Ran(None)
@@ -141,7 +161,7 @@ def canonical(output: str) -> tuple[str, ...]:
 
 def difference(case: Case, original: Ran) -> str:
     """How the runs of a program that is accepted and of its expansion differ; nothing if they do not."""
-    flat = ran({TABLE: TOOLS, STORED: case.all_files[STORED], MAIN: case.flat})
+    flat = ran({TABLE: case.tools, STORED: case.all_files[STORED], MAIN: case.flat})
     if flat.calls == original.calls and flat.status == original.status:
         return ""
     pairs = zip([*original.calls, "(end)"], [*flat.calls, "(end)"])
@@ -151,15 +171,15 @@ def difference(case: Case, original: Ran) -> str:
 
 def verdict(case: Case) -> str:
     """Nothing if deburr and the interpreter agree on a program; else how they differ."""
-    original = ran(case.all_files)
+    original = ran(case.all_files, case.main)
     if original.status is None:
         return "" if case.refused else "endless there, expanded here"
     if original.status == 0:
         return f"refused here: {case.refused} {_said(case)}" if case.refused else difference(case, original)
     if not case.refused:
         return f"refused there: {original.message} at {original.echo!r}"
-    row, places = original.tagged, case.wrong | case.stopped
-    if row is not None and (MAIN, row) not in places and not any(file != MAIN for file, _ in places):
+    row, places = original.tagged if case.tagged else None, case.wrong | case.stopped
+    if row is not None and (case.main, row) not in places and not any(file != case.main for file, _ in places):
         return f"refused there in line {row + 1}: {original.message}; here {sorted(case.refused)} {_said(case)}"
     return ""
 

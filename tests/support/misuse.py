@@ -38,7 +38,10 @@ MISUSES = (
     Misuse("out of range", _in_value("#[#50]", "#[#50-3]", "#[#50+5602]", "#[9999+#50]")),
     Misuse("read only", _lines("#[5420+#50]=1", "#[5400+#50]=3", "#[5428+#50]=2")),
     Misuse("setting out of range", _lines("#[#50]=1", "#[#50-1]=2", "#[5700+#50]=3", "#[#50+0.5]=3")),
-    Misuse("undefined name", _lines("o96 if [#50]\n#<late>=1\no96 endif\nG0 X#<late>", "o96 if [#50]\n#<_late>=1\no96 endif\n#31=#<_late>")),
+    Misuse(
+        "undefined name",
+        _lines("o96 if [#50]\n#<late>=1\no96 endif\nG0 X#<late>", "o96 if [#50]\n#<_late>=1\no96 endif\n#31=#<_late>"),
+    ),
     Misuse("unknown sub", _lines("o[#50+999] call [1]", "o#[#50+31] call")),
     Misuse("label", _lines("o[#50+1.5] call", "o[#50+2.25] if [1]\no3 endif")),
     Misuse("abort", _lines("(ABORT,stopped at #50)", "o96 if [#50 EQ 0]\n(abort, it is %d#50)\no96 endif")),

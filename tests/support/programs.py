@@ -19,6 +19,7 @@ AVOIDED = (
     "a `return`, `break` or `continue` out of a `repeat`, and a `repeat` in a recursive sub (its counter is shared)",
     "a name read on the line that first sets it (it reads what happens to be there)",
     "`endsub` values of names while the definition is passed over",
+    "a result that is no number as an argument or a returned value (it is only refused where it is read)",
     "`M98` with `L0` (it enters a call and never leaves it)",
     "two `#` in a row, or a lone one at the end, in a message (it is expanded again)",
 )
@@ -29,6 +30,8 @@ FLOW = (
 _OUTSIDE = ("_hal", "_ini", "_abs_", "_current_pocket", "_selected_pocket", "_remap_level", "_line")
 """Values that not even a simulated machine has, and the line, which is another one in a flat program."""
 _LONGEST = 200
+_FIRST = 5061
+"""The first numbered parameter with a meaning of its own."""
 _MODES = (
     "G20", "G21", "G90", "G91", "G17", "G18", "G19", "G54", "G55", "G56", "G59.3", "G61", "G61.1", "G64", "G64 P0.01", "G98", "G99",
     "G90.1", "G91.1", "G92.1", "G92.2", "G92.3", "G49", "G80", "M3 S500", "M4 S[100*2]", "M5", "M7", "M8", "M9", "M48", "M49",
@@ -43,8 +46,8 @@ def _predefined() -> tuple[str, ...]:
     for entry in by_name("rs274").codes.table("variable"):
         if entry.name.startswith("_") and not entry.name.startswith(_OUTSIDE):
             found.append(f"#<{entry.name}>")
-        elif entry.name.isdigit() and 5061 <= int(entry.name) <= 5601:
-            found.append(f"#{entry.name}")
+        elif entry.first is not None and entry.first == entry.last and entry.first >= _FIRST:
+            found.append(f"#{entry.first}")
     return tuple(found)
 
 
@@ -97,13 +100,15 @@ class _Writer:
         subs = self._subs(behind)
         numbered = [self._numbered(number) for number in range(rng.randint(0, 1))]
         head = ["G21 G90 G17 F100", *(f"#<{name}>={rng.randint(-5, 9)}" for name in main.names)]
-        statements = [self._statement(main, 3) for _ in range(rng.randint(4, 10))]
+        statements = [self._statement(main, 3) for _ in range(rng.randint(3, 6))]
         if self._misuse is not None:
             statements.insert(rng.randint(0, len(statements)), self._misuse.lines(rng))
         body = [line for statement in statements for line in statement]
         inside = [line for sub in subs for line in sub]
         lines = [*head, *([] if behind else inside), *body, "(PRINT,end)", rng.choice(("M2", "M30"))]
         lines += [*(inside if behind else []), *(line for one in numbered for line in one)]
+        lines = [f"/{line}" if self._rng.random() < 0.01 else line for line in lines]
+        lines = ["%", *lines, "%"] if self._rng.random() < 0.1 and not self._files else lines
         text = "\n".join(self._spelled(at, line) for at, line in enumerate(lines, 1)) + "\n"
         return Generated(text, self._files, self._used, self._misuse.name if self._misuse is not None else "")
 
@@ -111,7 +116,7 @@ class _Writer:
         """Behind the end of the program a sub finds no other one that stands above it."""
         found: list[list[str]] = []
         known: list[tuple[str, int, bool]] = []
-        for number in range(self._rng.randint(0, 3)):
+        for number in range(self._rng.choice((0, 0, 1, 1, 2))):
             found.append(self._sub(number))
             known += self._plan.subs if behind else []
             self._plan.subs = [] if behind else self._plan.subs
@@ -123,10 +128,10 @@ class _Writer:
         count, given = rng.randint(0, 4), rng.random() < 0.5
         scope = Scope(names=["b", "_g"], in_sub=True)
         self._use("sub", "endsub")
-        body = ["#<b>=[#1+#2]", *self._block(scope, rng.randint(2, 5), 2)]
+        body = ["#<b>=[#1+#2]", *self._block(scope, rng.randint(1, 3), 2)]
         if rng.random() < 0.5:
             self._use("return", "if", "endif")
-            value = f" [{self._values.inner(scope, 1)}]" if given and rng.random() < 0.5 else ""
+            value = f" [[{self._values.inner(scope, 1)}]]" if given and rng.random() < 0.5 else ""
             value = "" if "<" in value else value
             body += [f"o90 if {self._values.truth(scope)}", f"o{label} return{value}", "o90 endif", self._print(scope)]
         end = f"o{label} endsub" + (f" [#1+{rng.randint(1, 9)}]" if given else "")
@@ -146,7 +151,13 @@ class _Writer:
     def _numbered(self, number: int) -> list[str]:
         self._use("M99")
         self._plan.numbered.append(700 + number)
-        return [f"o{700 + number}", "#35=[#35+1]", self._print(Scope(in_sub=True)), f"G0 X[#35 MOD {number + 5}]", "M99"]
+        return [
+            f"o{700 + number}",
+            "#35=[#35+1]",
+            self._print(Scope(in_sub=True)),
+            f"G0 X[#35 MOD {number + 5}]",
+            "M99",
+        ]
 
     def _block(self, scope: Scope, count: int, depth: int) -> list[str]:
         return [line for _ in range(count) for line in self._statement(scope, depth)]
@@ -160,9 +171,13 @@ class _Writer:
 
     def _tried(self, scope: Scope, depth: int) -> list[str]:
         simple: list[Callable[[Scope], list[str]]] = [self._setting] * 6 + [self._move] * 5 + [self._mode] * 4
-        simple += [lambda scope: [self._print(scope)]] * 3 + [self._call] * 3 + [self._offset, self._cycle, self._arc, self._saved]
+        simple += (
+            [lambda scope: [self._print(scope)]] * 3
+            + [self._call] * 3
+            + [self._offset, self._cycle, self._arc, self._saved, self._probe]
+        )
         nested = [self._if, self._if, self._while, self._do if self._plan.do else self._while, self._repeat]
-        if depth and self._rng.random() < 0.35:
+        if depth and self._rng.random() < 0.3:
             return self._rng.choice(nested)(scope, depth - 1)
         return self._rng.choice(simple)(scope)
 
@@ -190,7 +205,9 @@ class _Writer:
     def _offset(self, scope: Scope) -> list[str]:
         rng = self._rng
         axes = " ".join(axis + self._word(scope) for axis in rng.sample("XYZA", 2))
-        return [rng.choice(("G92", f"G10 L2 P{rng.randint(0, 9)}", f"G10 L20 P{rng.randint(0, 9)}", "G52")) + f" {axes}"]
+        return [
+            rng.choice(("G92", f"G10 L2 P{rng.randint(0, 9)}", f"G10 L20 P{rng.randint(0, 9)}", "G52")) + f" {axes}"
+        ]
 
     def _cycle(self, scope: Scope) -> list[str]:
         rng = self._rng
@@ -198,9 +215,15 @@ class _Writer:
         repeats = rng.choice(("", " L2"))
         return ["G17", f"G94 {code} X{self._word(scope)} Y2 Z-5 R{rng.randint(1, 9)}{repeats} F50", "X3 Y-1", "G80"]
 
+    def _probe(self, scope: Scope) -> list[str]:
+        way = self._rng.choice(("X5", "Z-5", "Y-3 Z2"))
+        return [f"G91 G94 {self._rng.choice(('G38.2', 'G38.3'))} {way} F50", "G90", self._print(scope)]
+
     def _arc(self, scope: Scope) -> list[str]:
         plane, one, two = self._rng.choice((("G17", "I", "J"), ("G18", "I", "K"), ("G19", "J", "K")))
-        return [f"G94 {plane} G91.1 {self._rng.choice(('G2', 'G3'))} {one}[1+{self._values.small(scope, 9)}] {two}2 F60"]
+        return [
+            f"G94 {plane} G91.1 {self._rng.choice(('G2', 'G3'))} {one}[1+{self._values.small(scope, 9)}] {two}2 F60"
+        ]
 
     def _saved(self, scope: Scope) -> list[str]:
         return ["M70", self._rng.choice(_MODES[:18]), self._print(scope), "M72"]
@@ -208,7 +231,7 @@ class _Writer:
     def _print(self, scope: Scope) -> str:
         rng = self._rng
         found = [rng.choice(("", "%d ", "%f ", "%.3f "))]
-        for _ in range(rng.randint(2, 6)):
+        for _ in range(rng.randint(3, 7)):
             name = rng.choice(PREDEFINED) if rng.random() < 0.8 else f"#{rng.choice(NUMBERED)}"
             self._used[name] += name in PREDEFINED
             found.append(name)
@@ -229,7 +252,7 @@ class _Writer:
         if count < 0:
             arguments = f" [{rng.randint(0, 6)}]"
         else:
-            arguments = "".join(f" [{self._values.inner(scope, 1)}]" for _ in range(count))
+            arguments = "".join(f" [[{self._values.inner(scope, 1)}]]" for _ in range(count))
         said = f"[{label}+0]" if label.isdigit() and rng.random() < 0.3 else label
         return [f"o{said} call{arguments}", "G0 X[#<_value> MOD 50]" if given else "(PRINT,%d #<_value_returned> .)"]
 
@@ -254,7 +277,12 @@ class _Writer:
             word = rng.choice(("break", "continue"))
             self._use(word, "if", "endif")
             inner = self._next()
-            body += [f"o{inner} if {self._values.truth(scope)}", f"o{label} {word}", f"o{inner} endif", self._print(scope)]
+            body += [
+                f"o{inner} if {self._values.truth(scope)}",
+                f"o{label} {word}",
+                f"o{inner} endif",
+                self._print(scope),
+            ]
         head = f"o{label} while [#<{counter}> LT {rng.randint(0, 4)}]"
         return [f"#<{counter}>=0", head, *body, f"o{label} endwhile"]
 
@@ -290,6 +318,10 @@ class _Writer:
     def _spelled(self, row: int, line: str) -> str:
         """The line with its number in it, and sometimes in other letters and with other blanks."""
         rng = self._rng
+        if line == "%":
+            return line
+        if line[0] == "/":
+            return f"/N{row} {line[1:]}"
         if "(" not in line:
             line = line.lower() if rng.random() < 0.15 else line
             line = line.replace(" ", "  ") if rng.random() < 0.1 else line

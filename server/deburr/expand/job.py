@@ -43,7 +43,7 @@ class Sink(Protocol):
 
 
 class Job:
-    """One run. An interpreter is `run(job)`, a generator that yields every `SLICE` steps; it ends by itself, or with a `Halt`."""
+    """One run. An interpreter is `run(job)`, a generator that yields every ``pace`` steps; it ends by itself, or with a `Halt`."""
 
     def __init__(
         self,
@@ -54,6 +54,7 @@ class Job:
         inputs: Inputs | None = None,
         budget: Budget | None = None,
         source_map: SourceMap | None = None,
+        pace: int = SLICE,
     ) -> None:
         self.programs = tuple(programs)
         self.ruleset = ruleset
@@ -68,6 +69,7 @@ class Job:
         """Whether the budget ended the run."""
         self.halted = False
         """Whether the last fault ended the run."""
+        self._pace = pace
         self._line = sink.line
         self._map = source_map
         self._met: set[tuple[str, str, int, Span]] = set()
@@ -90,13 +92,13 @@ class Job:
 
     def slice(self, file: str, row: int, frame: Frame | None, where: str = "") -> int:
         """How many steps may be done before the next yield. ``where`` names what the run is in: a loop and its variable's last values."""
-        left = self.budget.steps - self.steps if self.budget.steps else SLICE
+        left = self.budget.steps - self.steps if self.budget.steps else self._pace
         if left <= 0:
             self.cut = True
             inside = f", last in {where}" if where else ""
             limit = f"more than {self.budget.steps:,} lines were executed{inside}; --max-steps sets another limit"
             raise Halt(Fault("limit", file, row, Span(0, 0), limit, frame))
-        found = min(SLICE, left)
+        found = min(self._pace, left)
         self.steps += found
         return found
 

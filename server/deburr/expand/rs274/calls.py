@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from deburr.expand.rs274.files import loaded
 from deburr.expand.rs274.parts import condition
 from deburr.expand.rs274.state import ARGUMENTS, ENDLESS, Activation
-from deburr.expand.rs274.unit import ELSEWHERE, END, Op, Unit
+from deburr.expand.rs274.unit import ELSEWHERE, Op, Unit
 from deburr.fault import Entered, Frame, Halt
 from deburr.suggest import suggestion
 from deburr_grammar.text import Span
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 DEEPEST = 9
 """Calls that may be active at once (spec/rs274.md §6)."""
+CONTOURED = frozenset(("G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2"))
+"""Lathe cycles that read a subprogram as the contour of the part."""
 Start = tuple[Unit, int]
 """Where a subprogram starts."""
 
@@ -34,6 +36,8 @@ class Calls:
         self._units: dict[str, Unit | None] = {}
         self._known: dict[str, Start] = {}
         """What was passed or found, by label; whatever its file, the first counts."""
+        self._contours: dict[str, tuple[str, ...]] = {}
+        """The contours that the flat program has."""
 
     def sub(self, unit: Unit, row: int, parts: Parts) -> Op:
         """A definition in the way is passed over and known from then on."""
@@ -116,6 +120,7 @@ class Calls:
             if not clear:
                 message = "the control stops at an `M99` that shares its line with other words"
                 raise state.fault("word-conflict", unit.file, row, span, message)
+            state.value = state.value_returned = 0.0
             again = state.calls[-1].again
             if again is not None and again[2]:
                 target, start, left = again
@@ -126,6 +131,48 @@ class Calls:
             return self._return(unit, row)
 
         return ended
+
+    def contour(self, unit: Unit, row: int, line: Line) -> Op:
+        """A lathe cycle: the control needs the contour as a subprogram, so the flat program has it, too, with values in it."""
+        run, state, span = self._run, self._state, Span(0, len(line.node.text.rstrip()))
+        at = next(at for at, word in enumerate(line.words) if word.letter == "Q")
+        read, write = run.read(unit, row, line), run.write(unit, row, line, line.pieces(computed="Q"))
+        number = line.values.integer(line.words[at].part)
+
+        def called() -> int:
+            label = str(number())
+            values = read()
+            self._activate(unit, row, span, 0)
+            target, start = self._found(label, unit, row, span)
+            state.params[1 : ARGUMENTS + 1] = [0.0] * ARGUMENTS
+            state.contour = []
+            state.machine.block([word.letter for word in line.words], values, False)
+
+            def finished() -> None:
+                values[at] = float(self._contour_label(label, target, start))
+                write(values)
+
+            state.calls[-1].then = finished
+            run.unit, run.row = target, start + 1
+            return ELSEWHERE
+
+        return called
+
+    def _contour_label(self, label: str, unit: Unit, row: int) -> str:
+        """Define the contour that was gathered, unless the flat program has it already; the label under which it stands there."""
+        lines, state, emit = self._state.contour or [], self._state, self._run.job.emit
+        state.contour = None
+        said = tuple(text for text, *_ in lines)
+        free = label
+        while self._contours.get(free, said) != said:
+            free = str(int(free) + 1000)
+        if free not in self._contours:
+            self._contours[free] = said
+            emit(f"o{free} sub", unit.file, row, state.frame)
+            for line in lines:
+                emit(*line)
+            emit(f"o{free} endsub", unit.file, unit.ends[row], state.frame)
+        return free
 
     def _integer(self, line: Line, letter: str) -> Callable[[], int] | None:
         word = next((word for word in line.words if word.letter == letter), None)
@@ -158,6 +205,8 @@ class Calls:
         state.locals = call.locals
         state.loops, state.frame, state.saved = call.loops, call.frame, call.saved
         self._run.unit, self._run.row = call.unit, call.row + 1
+        if call.then is not None:
+            call.then()
         return ELSEWHERE
 
     def _activate(self, unit: Unit, row: int, span: Span, count: int) -> None:

@@ -21,6 +21,7 @@ _SWITCH = 5599
 """The parameter that turns DEBUG off."""
 _LONGEST = 29
 """Characters of a value that the control has room for."""
+_NEAR_ZERO = 1e-4
 _UNKNOWN = "######"
 """What it shows for the rest."""
 _NONE = "#<no value>"
@@ -70,7 +71,8 @@ class Comment:
 
     def _shown(self, form: str, match: re.Match[str]) -> str:
         value = self._value(match[2], match[3])
-        said = form % value if value is not None else ""
+        # What counts as equal to zero is shown as zero, with however many decimals.
+        said = form % (0.0 if abs(value) < _NEAR_ZERO else value) if value is not None else ""
         if said and len(said) <= _LONGEST:
             return said
         # The flat program has no such parameter either: there it is shown in the same way.
@@ -87,4 +89,3 @@ class Comment:
         if at > state.last:
             return None
         return state.machine.number(at, *self._place) if at in state.machine.special else state.params[at]
-

@@ -51,4 +51,11 @@ class Flow:
             raise self._run.undecided(unit, row, node)
         if delete is True or command is None:
             return lambda: row + 1
-        return self._commands[command.kind](unit, row, Parts(self._state, unit, row, node, o_line))
+        parts = Parts(self._state, unit, row, node, o_line)
+        op = self._commands[command.kind](unit, row, parts)
+        return op if parts.literal is not None else lambda: self._labelled(parts, op)
+
+    def _labelled(self, parts: Parts, op: Op) -> int:
+        """A line whose label is calculated: that it can be is all that matters where blocks have been paired before."""
+        parts.label()
+        return op()

@@ -85,10 +85,11 @@ class Line:
         """The literal G and M codes."""
         return frozenset(word.code for word in self.words if word.code)
 
-    def pieces(self, leave_out: frozenset[str] = frozenset(), instead: str = "") -> list[Piece]:
+    def pieces(self, leave_out: frozenset[str] = frozenset(), computed: str = "") -> list[Piece]:
         """The flat line: text, numbers of words whose values are to be written, and `ACTS`. Empty if nothing is left.
 
-        ``leave_out``: codes, and letters, of words that are not written. ``instead`` is written where the first of them stood.
+        ``leave_out``: codes, and letters, of words that are not written.
+        ``computed``: letters of words whose values are written anew though they are literal.
         """
         at = self._start(False)
         head = self.node.text[self._start(self._keep_n) : at]
@@ -97,13 +98,10 @@ class Line:
             pieces.append(self.node.text[at : part.start])
             at = part.end
             word = self.words[number] if number >= 0 else None
-            if part.kind == "setting":
+            left_out = word is not None and (word.code in leave_out or word.letter in leave_out)
+            if part.kind == "setting" or left_out:
                 at = _behind_blanks(self.node.text, at)
-            elif word is not None and (word.code in leave_out or word.letter in leave_out):
-                pieces.append(instead)
-                at = at if instead else _behind_blanks(self.node.text, at)
-                instead = ""
-            elif word is not None and not word.literal:
+            elif word is not None and (not word.literal or word.letter in computed):
                 pieces += [self.node.text[part.start], number]
             else:
                 pieces.append(ACTS if part is self._acting else self.node.text[part.start : at])

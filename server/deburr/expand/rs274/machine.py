@@ -8,6 +8,7 @@ whose own unit is the inch (spec/rs274.md §4, spec/oracle.md §1, §3). Never e
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
@@ -28,6 +29,8 @@ _TOOL = range(5400, 5414)
 _POSITION = range(5420, 5429)
 _CHANGER = range(5600, 5602)
 _OFFSETS = range(5161, 5391)
+_ROUGHING = frozenset(("G", code) for code in (710, 711, 712, 720, 721, 722))
+"""Cycles that end where only the control can say. One that finishes ends with its contour."""
 _VERSION = 2.9
 _OF_MACHINE = frozenset(("_current_pocket", "_selected_pocket", "_remap_level", "_task", "_vmajor", "_vminor"))
 
@@ -106,22 +109,35 @@ class Machine:
         """A block with words was executed; ``maybe``: only if the operator's switch lets it."""
         if not letters:
             return
-        codes = {(letter, round(value * 10)) for letter, value in zip(letters, values) if letter in "GM"}
         words = {letter: value for letter, value in zip(letters, values) if letter not in "GM"}
+        if "X" in words and self.modes.g["lathe"] == 70 and self.state.contour is not None:
+            words["X"] /= 2
+        codes = {(letter, round(value * 10)) for letter, value in zip(letters, values) if letter in "GM"}
+        if self.state.contour is not None:
+            self.modes.trace(codes)
+            self._position.trace(words)
+            return
+        before = self.modes.unit
         self.modes.take(codes, words)
-        if ("M", 60) in codes or ("M", 610) in codes:
-            self._change(("M", 60) in codes, words)
+        if self._simulate and before != self.modes.unit:
+            self._position.switch(self.modes.unit / before)
+        if "X" in words and self.modes.g["lathe"] == 70:
+            words["X"] /= 2
         if "T" in words:
             self._selected = round(words["T"])
         if ("M", 60) in codes:
-            self._tool = self._tools.get(self._selected)
-            if not self._simulate:
-                self._position.lose()
+            self._change(self._selected)
+        elif ("M", 610) in codes and not self._simulate:
+            self._change(round(words.get("Q", 0)))
         if ("M", 660) in codes:
             self.state.params[_INPUT] = 0.0
             self._set.discard(_INPUT)
         self._position.take(codes, words)
-        if maybe:
+        if ("M", 60) in codes and self._simulate:
+            self._position.read_back()
+        elif ("M", 60) in codes:
+            self._position.lose()
+        if maybe or not codes.isdisjoint(_ROUGHING) or (("G", 700) in codes and words.get("E")):
             self._position.lose()
 
     def length_offset(self, tool: int | None) -> Sequence[float] | None:
@@ -136,11 +152,10 @@ class Machine:
             self.state.params[_PROBED[axis]] = value or 0.0
         self.state.params[_PROBED[9]] = 0.0
 
-    def _change(self, by_changer: bool, words: dict[str, float]) -> None:
-        """M61 names the tool; M6 takes the one that T chose before or on this line."""
-        if not by_changer:
-            self._selected = round(words.get("Q", 0))
-            self._tool = self._tools.get(self._selected)
+    def _change(self, tool: int) -> None:
+        """Another tool is in the spindle. The stand-alone interpreter has no empty one, and knows nothing of M61."""
+        if tool or not self._simulate:
+            self._tool = self._tools.get(tool)
 
     def _own(self, name: str) -> Known | None:
         state = self.state
@@ -153,6 +168,10 @@ class Machine:
                 return lambda file, row, span: float(len(state.calls))
             case "_line":
                 return lambda file, row, span: float(row + 1)
+            case "_tool_offset":
+                return lambda file, row, span: self._known(
+                    self._position.is_offset(), "#<_tool_offset>", "the tool", file, row, span
+                )
             case "_selected_tool":
                 return lambda file, row, span: float(self._selected)
             case "_current_tool":
@@ -163,6 +182,8 @@ class Machine:
     def _offset(self, at: int, file: str, row: int, span: Span) -> float:
         """Offsets are kept in the machine's own unit; zero is the same in all."""
         value = self.state.params[at]
+        if math.isnan(value):
+            return self._known(None, f"#{at}", "the position", file, row, span)
         if at == 5220 or at == 5210 or value == 0 or at in self._set or self._simulate:
             return value
         return self._known(None, f"#{at}", "the unit of the machine", file, row, span)

@@ -6,34 +6,7 @@ from collections.abc import Callable, Set
 from copy import copy
 
 _GROUPS = {
-    "motion": (
-        0,
-        10,
-        20,
-        30,
-        50,
-        51,
-        52,
-        53,
-        330,
-        331,
-        382,
-        383,
-        384,
-        385,
-        730,
-        760,
-        800,
-        810,
-        820,
-        830,
-        840,
-        850,
-        860,
-        870,
-        880,
-        890,
-    ),
+    "motion": (0, 10, 20, 30, 50, 51, 52, 53, 330, 331, 382, 383, 384, 385, 730, 760, *range(800, 900, 10)),
     "plane": (170, 171, 180, 181, 190, 191),
     "distance": (900, 910),
     "arc": (901, 911),
@@ -51,8 +24,8 @@ _GROUPS = {
 GROUP_OF = {code: group for group, codes in _GROUPS.items() for code in codes}
 
 
+_TRACED = frozenset((0, 10, 20, 30))
 MM_PER_INCH = 25.4
-_INCH_PER_MM = 1 / MM_PER_INCH
 _RESTORED = ("length", "plane", "system", "path", "lathe", "distance", "arc", "retract", "spindle", "compensation")
 """Groups whose code M72 says again where it differs."""
 
@@ -89,7 +62,8 @@ class Modes:
 
     def take(self, codes: Set[tuple[str, int]], words: dict[str, float]) -> None:
         """What the words of a block leave."""
-        units = self.g["units"]
+        if ("M", 60) in codes:
+            self.spindle = 50
         for letter, code in codes:
             if letter == "G" and code in GROUP_OF:
                 self.g[GROUP_OF[code]] = code
@@ -99,70 +73,47 @@ class Modes:
             self.tolerance = (words.get("P", 0.0), words.get("Q", 0.0))
         if ("G", 940) in codes or ("G", 950) in codes:
             self.feed = 0.0
-        self._changed(units)
         self.feed = words.get("F", self.feed)
         self.speed = words.get("S", self.speed)
         if ("M", 20) in codes or ("M", 300) in codes:
             self._ended()
 
-    def restored(self, saved: Modes) -> list[str]:
-        """Bring saved modes back as M72 does, and the lines that do the same."""
-        lines, units = [], self.g["units"]
-        if units != saved.g["units"]:
-            self.g["units"] = saved.g["units"]
-            lines.append(_code(saved.g["units"]))
-            self._changed(units)
-        words = self._words(saved)
-        lines += [" ".join(words)] if words else []
-        lines += self._switches(saved)
-        return lines
+    def trace(self, codes: Set[tuple[str, int]]) -> None:
+        """A line of a contour: of all modes only the motion is heeded."""
+        self.g["motion"] = next((code for letter, code in codes if code in _TRACED), self.g["motion"])
 
-    def _words(self, saved: Modes) -> list[str]:
-        words, feed, speed = [], self.feed, self.speed
+    def restoring(self, saved: Modes) -> list[str]:
+        """The lines that bring saved modes back as M72 does. It writes a feed with one decimal and a speed with none."""
+        lines = [_code(saved.g["units"])] if self.g["units"] != saved.g["units"] else []
+        words = []
         if self.g["feed"] != saved.g["feed"]:
-            self.g["feed"] = saved.g["feed"]
             words.append(_code(saved.g["feed"]))
-            if saved.g["feed"] != 930:
-                self.feed = 0.0
-        # It writes a feed with one decimal and a speed with none.
-        if feed != saved.feed:
+        if self.feed != saved.feed:
             words.append(f"F{saved.feed:.1f}")
-            self.feed = float(f"{saved.feed:.1f}")
-        if speed != saved.speed:
+        if self.speed != saved.speed:
             words.append(f"S{saved.speed:.0f}")
-            self.speed = float(f"{saved.speed:.0f}")
         if self.spindle != saved.spindle:
-            self.spindle = saved.spindle
             words.append(f"M{saved.spindle // 10}")
-        for group in _RESTORED:
-            path = group == "path" and self.tolerance != saved.tolerance
-            if self.g[group] != saved.g[group] or path:
-                self.g[group] = saved.g[group]
-                words.append(_code(saved.g[group]))
+        words += [
+            _code(saved.g[group])
+            for group in _RESTORED
+            if self.g[group] != saved.g[group] or (group == "path" and self.tolerance != saved.tolerance)
+        ]
         if self.shifted != saved.shifted:
             words.append("G92.3" if saved.shifted else "G92.2")
-        return words
+        return [*lines, *([" ".join(words)] if words else []), *self._switching(saved)]
 
-    def _switches(self, saved: Modes) -> list[str]:
+    def _switching(self, saved: Modes) -> list[str]:
         lines = []
         if (self.mist, self.flood) != (saved.mist, saved.flood):
-            self.mist, self.flood = saved.mist, saved.flood
             lines += [code for on, code in ((saved.mist, "M7"), (saved.flood, "M8")) if on] or ["M9"]
         if self.feed_override != saved.feed_override:
-            self.feed_override = self.speed_override = saved.feed_override
             lines.append("M48" if saved.feed_override else "M49")
         if self.adaptive != saved.adaptive:
-            self.adaptive = saved.adaptive
             lines.append("M52" if saved.adaptive else "M52 P0")
         if self.feed_hold != saved.feed_hold:
-            self.feed_hold = saved.feed_hold
             lines.append("M53" if saved.feed_hold else "M53 P0")
         return lines
-
-    def _changed(self, units: int) -> None:
-        """A feed stays the same speed when the unit changes."""
-        if units != self.g["units"]:
-            self.feed *= MM_PER_INCH if units == 200 else _INCH_PER_MM
 
     def _switch(self, code: int, words: dict[str, float]) -> None:
         on = words.get("P", 1.0) != 0
@@ -235,7 +186,6 @@ GETTERS: dict[str, Callable[[Modes], float]] = {
     "_spindle_cw": lambda modes: float(modes.spindle == 30),
     "_spindle_on": lambda modes: float(modes.spindle in (30, 40)),
     "_spindle_rpm_mode": _is("spindle", 970),
-    "_tool_offset": lambda modes: float(modes.g["length"] != 490),
     "_units_per_minute": _is("feed", 940),
     "_units_per_rev": _is("feed", 950),
 }

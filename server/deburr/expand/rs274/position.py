@@ -16,7 +16,10 @@ MACHINE_UNIT = 25.4
 """Millimetres in the stand-alone interpreter's own unit."""
 PROBE_SHORT = 0.254
 """By how many millimetres its made-up probe stops before its target."""
+_MOVING = frozenset((*AXES, "@", "^"))
 _LINEAR = frozenset((0, 1, 2, 6, 7, 8))
+_MOVELESS = frozenset((431, 432, 700, 710, 711, 712, 720, 721, 722))
+"""Codes whose axis words lead nowhere: tool offsets, and cycles that follow a contour."""
 _CYCLES = frozenset((730, 810, 820, 830, 840, 850, 860, 870, 880, 890))
 _PROBES = frozenset((382, 383, 384, 385))
 _AXIS_CODES = frozenset((100, 280, 300, 520, 920))
@@ -38,6 +41,8 @@ class Position:
         self._shift: Coordinates = [0.0] * 9
         """G92 and G52."""
         self._tool: Coordinates = [0.0] * 9
+        self._tool_then: Coordinates = self._tool
+        """The tool's offset at the last move, for all that the stand-alone interpreter's machine knows."""
         self._kept_shift: Coordinates = [0.0] * 9
         self._retract: float | None = None
         self._depth_level: float | None = None
@@ -61,9 +66,32 @@ class Position:
         value = self._program(axis)
         return None if value is None else value / self._unit(axis)
 
+    def is_offset(self) -> float | None:
+        """Whether a tool offset is in force that is none of zeros."""
+        return None if None in self._tool else float(any(self._tool))
+
+    def read_back(self) -> None:
+        """The interpreter asks its machine where it is. The stand-alone one has not heard of tool offsets since its last move."""
+        for axis in range(9):
+            self._at[axis] = _plus(self._at[axis], _minus(self._tool[axis], self._tool_then[axis]))
+        self._tool_then = self._tool
+
+    def switch(self, factor: float) -> None:
+        """Another unit, so many times as large: the stand-alone interpreter's machine takes the number of a tool's offset for one in that unit."""
+        tool = [_times(value, factor) if axis in _LINEAR else value for axis, value in enumerate(self._tool)]
+        for axis in range(9):
+            self._at[axis] = _plus(self._at[axis], _minus(tool[axis], self._tool[axis]))
+        self._tool = tool
+
     def lose(self) -> None:
         """The machine moves where the program cannot see."""
         self._at = [None] * 9
+
+    def trace(self, words: dict[str, float]) -> None:
+        """A line of a contour: whatever the distance mode, X and Z are the point to which it leads."""
+        for axis in (0, 2):
+            if AXES[axis] in words:
+                self._at[axis] = _plus(self._offset(axis), words[AXES[axis]] * self._unit(axis))
 
     def set_parameter(self, at: int, value: float) -> None:
         """An offset was stored by its number."""
@@ -85,9 +113,13 @@ class Position:
                 self._length(code, words)
         if gs & {921, 922, 923}:
             self._unshift(gs)
+        for code, first in ((281, 5161), (301, 5181)):
+            if code in gs:
+                for axis in range(9):
+                    self._store(first, axis, self._at[axis])
         if gs & _AXIS_CODES:
             self._non_modal(gs, words)
-        elif any(axis in words for axis in AXES):
+        elif not gs & _MOVELESS and not _MOVING.isdisjoint(words):
             self._move(self._machine.modes.g["motion"], 530 in gs, words)
         if self._machine.modes.g["motion"] not in _CYCLES:
             self._retract = self._depth_level = None
@@ -103,13 +135,16 @@ class Position:
 
     def _from_machine(self, axis: int, value: float) -> float | None:
         """A stored offset in millimetres: only a simulated machine has a unit that is known."""
+        if math.isnan(value):
+            return None
         if value == 0 or axis not in _LINEAR:
             return value
         return value * MACHINE_UNIT if self._simulate else None
 
     def _store(self, first: int, axis: int, value: float | None) -> None:
+        """Keep an offset as a parameter; no number at all is one that only the machine knows."""
         unit = MACHINE_UNIT if axis in _LINEAR else 1.0
-        self._machine.state.params[first + axis] = 0.0 if value is None else value / unit
+        self._machine.state.params[first + axis] = math.nan if value is None else value / unit
 
     def _choose(self, number: int) -> None:
         self._system = self._systems[number]
@@ -169,6 +204,8 @@ class Position:
         system = self._systems[index]
         if words.get("R"):
             system[:] = [None] * 9
+        if "R" in words:
+            self._machine.state.params[5230 + 20 * index] = words["R"]
         for axis, value in given.items():
             here = _minus(_minus(self._at[axis], self._shift[axis]), self._tool[axis])
             system[axis] = value if kind == 2 else _minus(here, value)
@@ -179,11 +216,16 @@ class Position:
         params = self._machine.state.params
         for axis in given or range(9):
             self._at[axis] = self._from_machine(axis, params[first + axis]) if self._simulate else None
+        self._tool_then = self._tool
 
     def _move(self, motion: int, in_machine: bool, words: dict[str, float]) -> None:
         if motion == 800:
             return
         target = self._targets(words, in_machine)
+        if motion in _PROBES:
+            # The stand-alone interpreter's machine starts from where it thinks that it is.
+            self.read_back()
+        self._tool_then = self._tool
         if motion in _CYCLES:
             self._drill(target, words)
         elif motion in _PROBES:
@@ -202,9 +244,22 @@ class Position:
         return self._polar(found, words)
 
     def _polar(self, found: Coordinates, words: dict[str, float]) -> Coordinates:
-        """`@` and `^` are a radius and an angle about the origin."""
-        if "@" in words or "^" in words:
+        """`@` and `^` are a radius and an angle about the origin, or by how much both change."""
+        if "@" not in words and "^" not in words:
+            return found
+        x, y = self._program(0), self._program(1)
+        if x is None or y is None:
             found[0] = found[1] = None
+            return found
+        radius, angle = math.hypot(y, x), math.degrees(math.atan2(y, x))
+        if self._machine.modes.g["distance"] == 910:
+            radius, angle = radius + words.get("@", 0.0) * self._unit(0), angle + words.get("^", 0.0)
+        else:
+            radius = words["@"] * self._unit(0) if "@" in words else radius
+            angle = words.get("^", angle)
+        turned = math.radians(angle)
+        found[0] = _plus(radius * math.cos(turned), self._offset(0))
+        found[1] = _plus(radius * math.sin(turned), self._offset(1))
         return found
 
     def _drill(self, target: Coordinates, words: dict[str, float]) -> None:
@@ -212,11 +267,11 @@ class Position:
         modes = self._machine.modes
         depth = _DEPTH[modes.g["plane"]]
         absolute = modes.g["distance"] == 900
+        here = self.axis(depth)
         if "R" in words:
-            value = words["R"] * self._unit(depth)
-            self._retract = _plus(self._offset(depth) if absolute else self._at[depth], value)
-        began = self._depth_level if self._depth_level is not None else self._at[depth]
-        self._depth_level = began
+            self._retract = words["R"] if absolute else _plus(here, words["R"])
+        if self._depth_level is None:
+            self._depth_level = here
         times = max(round(words.get("L", 1)), 0)
         for axis in range(9):
             if axis != depth and AXES[axis] in words and times:
@@ -224,10 +279,10 @@ class Position:
                 self._at[axis] = (
                     target[axis] if absolute else _plus(self._at[axis], None if step is None else step * times)
                 )
-        if began is None or self._retract is None:
-            self._at[depth] = None
-        else:
-            self._at[depth] = self._retract if modes.g["retract"] == 990 else max(began, self._retract)
+        # Both are kept as numbers: other units or offsets do not change them.
+        ends = (self._retract,) if modes.g["retract"] == 990 else (self._depth_level, self._retract)
+        known = [end * self._unit(depth) for end in ends if end is not None]
+        self._at[depth] = _plus(max(known), self._offset(depth)) if len(known) == len(ends) else None
 
     def _probe(self, target: Coordinates) -> None:
         if not self._simulate or None in target or None in self._at:
@@ -246,6 +301,10 @@ class Position:
 
 def _plus(a: float | None, b: float | None) -> float | None:
     return None if a is None or b is None else a + b
+
+
+def _times(a: float | None, factor: float) -> float | None:
+    return None if a is None else a * factor
 
 
 def _minus(a: float | None, b: float | None) -> float | None:

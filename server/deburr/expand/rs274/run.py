@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from deburr.expand.job import EXACT
 from deburr.expand.numbers import written
+from deburr.expand.rs274.calls import CONTOURED
 from deburr.expand.rs274.comments import ABORTS
 from deburr.expand.rs274.files import first_values
 from deburr.expand.rs274.flow import Flow
+from deburr.expand.rs274.judge import Judge
 from deburr.expand.rs274.lines import DECIMALS, Line, Piece, text_of
 from deburr.expand.rs274.machine import Machine
 from deburr.expand.rs274.parts import last_values
@@ -22,16 +24,18 @@ from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from deburr.expand.job import Job
+    from deburr.fault import Frame
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
 
 _NUMBERED = re.compile(r"[ \t]*[nN][ \t]*[0-9][0-9 \t]*(?:\.[0-9 \t]*)?")
 _WATCHED = re.compile(r"#[ \t]*(?:5|#|\[)|[mM][ \t]*0*[ \t]*(?:7[ \t]*[03]|9[ \t]*8)")
 """What can read the position or bring modes back, or calls who knows what."""
+_WORD = re.compile(r"([A-Z])([0-9.]+)")
 _GLOBAL = re.compile(r"#[ \t]*(<[ \t]*_[^<>\n]*>)")
 _RUNS = frozenset(("param", "setting", "group", "function", "atan", "exists", "CALL", "active"))
 _NOT_PLAIN = _RUNS | {"o_line", "PERCENT", "DELETE", "NUMBER_USED", "NAME_USED"}
-_FLOW_CODES = frozenset(("M2", "M30", "M70", "M71", "M72", "M73", "M98", "M99"))
+_FLOW_CODES = frozenset(("M2", "M30", "M70", "M71", "M72", "M73", "M98", "M99")) | CONTOURED
 _SAVES = frozenset(("M70", "M71", "M72", "M73"))
 
 
@@ -71,56 +75,101 @@ class Run:
         self.main = self.unit = unit
         self.row = 0
         self._watch = self._is_watched(unit)
+        self._judge = Judge(self.job.ruleset) if worth_running(unit.document) else None
         row = ELSEWHERE
         while row != END:
             if row == ELSEWHERE:
                 unit, row = self.unit, self.row
             code, last = unit.code, len(unit.code)
             left = self.job.slice(unit.file, min(row, last - 1), self.state.frame, self._where(unit))
-            while left and row >= 0:
-                if row >= last:
-                    row = END
-                    break
-                left -= 1
-                row = (code[row] or self._compiled(unit, row))()
+            try:
+                while left and row >= 0:
+                    if row >= last:
+                        row = END
+                        break
+                    left -= 1
+                    row = (code[row] or self._compiled(unit, row))()
+            except Halt:
+                # A line that was written before may be wrong, too.
+                self._finish()
+                raise
             self.job.steps -= left
             if not left:
+                if self._judge is not None:
+                    self._judge.settle()
                 yield
+        self._finish()
+
+    def emit(self, text: str, file: str, row: int, frame: Frame | None) -> None:
+        """A flat line: to where they go, or to the contour that is being gathered."""
+        if self.state.contour is not None:
+            self.state.contour.append((text, file, row, frame))
+            return
+        self.job.emit(text, file, row, frame)
+        if self._judge is not None:
+            self._judge.add(text, self.unit, row, frame)
 
     def written(self, unit: Unit, row: int, line: Line, pieces: list[Piece], behind: int) -> Op:
         """A line that is calculated, set and written."""
-        emit, file, state, watch = self.job.emit, unit.file, self.state, self._watch
-        kept = state.machine.kept
-        settings, gets, comment = line.settings, [word.get for word in line.words], line.comment
-        decimals, minus_zero, letters = self._decimals, self._minus_zero, [word.letter for word in line.words]
+        read, write = self.read(unit, row, line), self.write(unit, row, line, pieces)
 
         def executed() -> int:
+            write(read())
+            return behind
+
+        return executed
+
+    def read(self, unit: Unit, row: int, line: Line) -> Callable[[], list[float]]:
+        """What calculates the words of a line and then sets its parameters."""
+        settings, gets, kept = line.settings, [word.get for word in line.words], self.state.machine.kept
+        if not settings:
+            return lambda: [get() for get in gets]
+
+        def calculated() -> list[float]:
             puts = [(target(), get()) for target, get in settings]
             values = [get() for get in gets]
             for put, value in puts:
                 put(value)
             if kept:
                 self._keep(unit, row)
+            return values
+
+        return calculated
+
+    def write(self, unit: Unit, row: int, line: Line, pieces: list[Piece]) -> Callable[[list[float]], None]:
+        """What writes a line with the values of its words, and moves the machine."""
+        emit, file, state, watch = self.emit, unit.file, self.state, self._watch
+        comment, sets = line.comment, bool(line.settings)
+        maybe = line.deleted and self.job.inputs.block_delete is None
+        decimals, minus_zero, letters = self._decimals, self._minus_zero, [word.letter for word in line.words]
+
+        def put_down(values: list[float]) -> None:
             text = text_of(pieces, values, comment, decimals, minus_zero)
             if watch:
-                state.machine.block(letters, values, line.deleted)
+                state.machine.block(letters, values, maybe)
             if text.strip():
-                emit(text.rstrip(" \t") if settings else text, file, row, state.frame)
-            return behind
+                emit(text.rstrip(" \t") if sets else text, file, row, state.frame)
 
-        return executed
+        return put_down
 
     def restore(self, unit: Unit, row: int, saved: Saved) -> None:
         """Bring saved modes back. The flat program has one place for them: where it holds others by now, words say what changes."""
-        emit, frame = self.job.emit, self.state.frame
-        lines = self.state.machine.modes.restored(saved.modes)
+        emit, frame, machine = self.emit, self.state.frame, self.state.machine
+        lines = machine.modes.restoring(saved.modes)
         for text in ["M72"] if self.state.slot is saved else lines:
             emit(text, unit.file, row, frame)
+        for text in lines:
+            words = _WORD.findall(text)
+            machine.block([letter for letter, _ in words], [float(number) for _, number in words], False)
 
     def undecided(self, unit: Unit, row: int, node: LineNode) -> Halt:
         """The end of a run that hangs on the operator's switch."""
         message = "whether this line runs is decided at the machine, and the lines behind it depend on it; say --block-delete on or off"
         return self.state.fault("block-delete-state", unit.file, row, Span(0, len(node.text.rstrip())), message)
+
+    def _finish(self) -> None:
+        if self._judge is not None:
+            self._judge.finish()
 
     def _is_watched(self, unit: Unit) -> bool:
         """Whether anything may ask for the position or for modes: only then they are followed."""
@@ -172,7 +221,7 @@ class Run:
             text = text[match.end() :] if match is not None else text
             if not text.strip():
                 return lambda: row + 1
-        emit, file, state, behind = self.job.emit, unit.file, self.state, row + 1
+        emit, file, state, behind = self.emit, unit.file, self.state, row + 1
 
         def copied() -> int:
             emit(text, file, row, state.frame)
@@ -202,6 +251,8 @@ class Run:
             return self._flow.calls.numbered_call(unit, row, line)
         if not codes.isdisjoint(_SAVES):
             return self._saving(unit, row, line, codes & _SAVES)
+        if not codes.isdisjoint(CONTOURED) and any(word.letter == "Q" for word in line.words):
+            return self._flow.calls.contour(unit, row, line)
         pieces = line.pieces()
         if not pieces and not line.words:
             return self._settings_alone(unit, row, line)
@@ -215,7 +266,7 @@ class Run:
 
     def _saving(self, unit: Unit, row: int, line: Line, codes: frozenset[str]) -> Op:
         """M70 to M73: the rest of the line first, then what they do to the saved modes."""
-        rest, state, emit = self.written(unit, row, line, line.pieces(_SAVES), row + 1), self.state, self.job.emit
+        rest, state, emit = self.written(unit, row, line, line.pieces(_SAVES), row + 1), self.state, self.emit
         span = Span(0, len(line.node.text.rstrip()))
 
         def executed() -> int:
@@ -274,5 +325,5 @@ class Run:
         """Offsets that were set stay in the flat program: they move what follows."""
         for at in self.state.machine.kept:
             value = written(self.state.params[at], self._decimals, self._minus_zero)
-            self.job.emit(f"#{at}={value}", unit.file, row, self.state.frame)
+            self.emit(f"#{at}={value}", unit.file, row, self.state.frame)
         self.state.machine.kept.clear()

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from deburr.fault import Fault, Frame, Halt
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from deburr.expand.job import Job
     from deburr.expand.rs274.machine import Machine
     from deburr.expand.rs274.modes import Modes
@@ -42,7 +44,7 @@ class Saved:
 class Activation:
     """A call: where it goes on, and what it hides of its caller."""
 
-    __slots__ = ("again", "arguments", "frame", "locals", "loops", "row", "saved", "unit")
+    __slots__ = ("again", "arguments", "frame", "locals", "loops", "row", "saved", "then", "unit")
 
     def __init__(self, unit: Unit, row: int, state: State) -> None:
         self.unit = unit
@@ -54,6 +56,8 @@ class Activation:
         self.saved = state.saved
         self.again: tuple[Unit, int, int] | None = None
         """Of a program that M98 called: where it starts, and how often it runs once more."""
+        self.then: Callable[[], None] | None = None
+        """What is done when it returns."""
 
 
 class State:
@@ -76,6 +80,8 @@ class State:
         self.slot: Saved | None = None
         """What the flat program has saved: it has one place for all levels."""
         self.leaks = Leaks()
+        self.contour: list[tuple[str, str, int, Frame | None]] | None = None
+        """The lines of the contour that is being read for a lathe cycle."""
 
     def values(self) -> tuple[object, ...]:
         """All that decides how the run goes on from this line, to be compared."""

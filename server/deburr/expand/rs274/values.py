@@ -20,6 +20,8 @@ Get = Callable[[], float]
 Put = Callable[[float], None]
 NEAR = 1e-4
 """How near to an integer a value must be where one is required (spec/rs274.md §1.2)."""
+_MAY_BE_INFINITE = frozenset(("sum", "product", "quotient", "modulo", "power"))
+_NEVER_REFUSED = frozenset(("sum", "product", "modulo", "logical"))
 _OPERATIONS = frozenset(("sum", "product", "quotient", "modulo", "power", "comparison", "logical"))
 
 
@@ -54,8 +56,10 @@ class Values:
                 return self._two(part, atan, self.value(part.children[1]), self.value(part.children[3]))
             case "exists":
                 return self._exists(part)
+            case "group":
+                return self._group(part)
             case _:
-                return self.value(part.children[1 if len(part.children) > 1 else 0])
+                return self.value(part.children[0])
 
     def integer(self, part: Node | Token, rule: str = "integer-required") -> Callable[[], int]:
         """A value that must be near an integer."""
@@ -105,6 +109,23 @@ class Values:
         """The end of the run at a part of this line."""
         return self._state.fault(kind, self._file, self._row, Span(part.start, part.end), message)
 
+    def _group(self, part: Node) -> Get:
+        """Brackets: what they give must be a finite number."""
+        inner = part.children[1]
+        get = self.value(inner)
+        if not isinstance(inner, Node) or inner.kind not in _MAY_BE_INFINITE:
+            return get
+
+        def found() -> float:
+            value = get()
+            if value - value == 0:
+                return value
+            raise self.halt(
+                "not-finite", part, f"`{self.said(part)}` is a result that is no finite number; the control stops here"
+            )
+
+        return found
+
     def _operation(self, part: Node) -> Get:
         left, sign, right = part.children
         operator = spelled(self._text, sign)
@@ -112,6 +133,8 @@ class Values:
         apply = operation(operator, self._near)
         if part.kind == "comparison":
             return self._compared(part, operator, apply, a, b)
+        if part.kind in _NEVER_REFUSED:
+            return lambda: apply(a(), b())
         return self._two(part, apply, a, b)
 
     def _two(self, part: Node, apply: Callable[[float, float], float], a: Get, b: Get) -> Get:

@@ -1,0 +1,201 @@
+"""A program and its expansion make LinuxCNC's interpreter do the same, or both deburr and it refuse the program, on the same line (spec/oracle.md §3)."""
+
+import json
+import re
+from collections import Counter
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from pathlib import Path
+
+import pytest
+from benchmarks.interpreter import Program as Asked
+from benchmarks.interpreter import answer
+
+from support.agreement import FACTS
+from support.expressions import ARITHMETIC, COMPARED, FUNCTIONS, LOGICAL
+from support.flat import Case, difference, ran, verdict
+from support.oracle import SAMPLES
+from support.programs import FLOW, PREDEFINED, Generated, generated
+
+PROGRAMS, CHUNKS = 2_000, 8
+LEAST = 0.99
+"""The share of programs that run that must be equal."""
+USED_AT_LEAST = 20
+REFUSED = (0.2, 0.4)
+REASONS = 10
+CHECKED = 8
+"""Of so many random programs that run one is also checked: a check costs more than a run."""
+
+pytestmark = pytest.mark.oracle
+_SKIPPED = "the interpreter does not look at what it passes over; the text is checked all the same (spec/rs274.md §6)"
+_UNCLOSED = "runs because the end happens not to be needed; a missing end is always an error (spec/rs274.md §6)"
+_LEAKS = (
+    "a fault of the interpreter that is not imitated: the documented meaning is run, with a warning (spec/rs274.md §6)"
+)
+DIFFERENT: Mapping[str, str] = {
+    "faults: while-break, then do": f"the `break` ends the next `do` loop; {_LEAKS}",
+    "faults: do { while-break }": f"the `break` ends the `do` loop around; {_LEAKS}",
+    "faults: do-continue, then repeat 2": f"the `continue` repeats the next loop; {_LEAKS}",
+    "faults: repeat { do-continue }": f"the `continue` makes the `repeat` endless; {_LEAKS}",
+    "faults: return out of repeat": f"the `repeat` goes on with the rest of its count; {_LEAKS}",
+    "faults: repeat in a recursive sub": f"all calls share one count, without end; {_LEAKS}",
+}
+"""Programs that run in both and differ."""
+STRICTER: Mapping[str, str] = {
+    "assign: set inside skipped if": _SKIPPED,
+    "flow: garbage in skipped": _SKIPPED,
+    "sub: error in uncalled sub": _SKIPPED,
+    "faults: call arguments in skipped": _SKIPPED,
+    "flow: if without endif true": _UNCLOSED,
+    "flow: while w/o endwhile true": _UNCLOSED,
+    "flow: do without while": _UNCLOSED,
+    "files: M2 before endsub": _UNCLOSED,
+    "files: sub in a sub of a file": "later versions refuse it; what this one makes of it is never meant (spec/oracle.md §4)",
+    "text: NUL": "a byte that no program holds on purpose",
+}
+"""Programs that run there and are refused here, on purpose."""
+LOOSER: Mapping[str, str] = {
+    "text: empty file": "an empty file is no program yet; its expansion is as empty, and as little accepted",
+    "text: blank only": "as an empty file",
+    "text: M100 user": "M100 to M199 are files on the control (spec/rs274.md §5)",
+}
+"""Programs that are refused there and expanded here."""
+
+
+@cache
+def facts() -> dict[str, Case]:
+    found = {}
+    for group, name, text, *more in json.loads(FACTS.read_text(encoding="utf-8")):
+        found[f"{group}: {name}"] = Case(f"{group}: {name}", text, more[0] if more else {})
+    return found
+
+
+def verdicts(cases: list[Case]) -> dict[str, str]:
+    with ThreadPoolExecutor(2) as pool:
+        return {case.name: said for case, said in zip(cases, pool.map(verdict, cases)) if said}
+
+
+def test_all_facts(capsys: pytest.CaptureFixture[str]) -> None:
+    cases = list(facts().values())
+    assert len(cases) == 458
+    said = verdicts(cases)
+    known = {**DIFFERENT, **STRICTER, **LOOSER}
+    assert said.keys() == known.keys(), {name: why for name, why in said.items() if name not in known}
+    with ThreadPoolExecutor(2) as pool:
+        run = sum(found.status == 0 for found in pool.map(lambda case: ran(case.all_files), cases))
+    equal = run - sum(name in DIFFERENT or name in STRICTER for name in said if not said[name].startswith("endless"))
+    with capsys.disabled():
+        print(f"\nfacts: {equal} of {run} that run are equal; {len(cases) - run} are refused or endless")
+        for name, why in known.items():
+            print(f"  {name}: {why}")
+
+
+@pytest.mark.parametrize("part", range(2))
+def test_facts_are_refused_on_the_same_line(part: int) -> None:
+    cases = [case for case in facts().values() if case.refused and case.name not in STRICTER][part::2]
+    with ThreadPoolExecutor(2) as pool:
+        asked = [Asked(case.main, case.text, tuple(case.files.items())) for case in cases]
+        for case, said in zip(cases, pool.map(answer, asked)):
+            assert not said.ran, case.name
+            texts = {case.all_files[file].split("\n")[row] for file, row in case.wrong | case.stopped}
+            # A line that stands twice in a program is found at its first place.
+            same = (said.file, said.line) in case.wrong | case.stopped or said.echo.strip() in {
+                each.strip() for each in texts
+            }
+            assert said.endless or said.line is None or same, (case.name, said, case.refused)
+
+
+def sample(path: Path) -> Case:
+    beside = {other.name: read(other) for other in path.parent.glob("*.ngc") if other != path}
+    return Case(str(path.relative_to(SAMPLES)), read(path), beside, path.name, tools=THIN)
+
+
+def read(path: Path) -> str:
+    return path.read_bytes().decode("utf-8", "replace")
+
+
+THIN = "".join(f"T{number} P{number} D0.001\n" for number in range(1, 100))
+"""Tools so thin that every corner of the samples can be cut."""
+_SET = re.compile(r"(?m)^[ \t]*#<[^>]*>[ \t]*=[ \t]*#(\d+)[ \t]*(?:\([ \t]*=?[ \t]*([-+]?[0-9.]+)?)?")
+_HEADS = {
+    "inch": "G20 G17 G40 G49 G80 G90 G94 G54 F100 S1000",
+    "metric": "G21 G17 G40 G49 G80 G90 G94 F300 S1000",
+    "lathe": "G21 G18 G40 G49 G80 G90 G94 F300 S1000",
+}
+
+
+def drivers() -> list[Case]:
+    """A call of each library subprogram with the arguments that its comments give as defaults, or ones."""
+    texts = {path.stem.lower(): read(path) for path in sorted(SAMPLES.rglob("*.ngc"))}
+    subs = {
+        name: text
+        for name, text in texts.items()
+        if re.search(rf"(?im)^\s*o\s*<\s*{re.escape(name)}\s*>\s*sub\b", text)
+    }
+    files = {f"{name}.ngc": text for name, text in subs.items()}
+    found = []
+    for name, text in subs.items():
+        given = {int(number): value or "1" for number, value in reversed(_SET.findall(text)) if int(number) <= 30}
+        arguments = " ".join(f"[{given.get(at, '1')}]" for at in range(1, max(given, default=0) + 1))
+        found += [
+            Case(f"{name}/{head}", f"{words}\no<{name}> call {arguments}\nM2\n", files, tools=THIN)
+            for head, words in _HEADS.items()
+        ]
+    return found
+
+
+def test_all_samples(capsys: pytest.CaptureFixture[str]) -> None:
+    programs = [sample(path) for path in sorted(SAMPLES.rglob("*.ngc"))]
+    calls = drivers()
+    assert len(programs) == 185
+    with ThreadPoolExecutor(2) as pool:
+        runs = list(pool.map(lambda case: ran(case.all_files, case.main), [*programs, *calls]))
+        clean = [(case, run) for case, run in zip([*programs, *calls], runs) if run.status == 0]
+        wrong = [(case.name, sorted(case.refused)) for case, _ in clean if case.refused]
+        differ = [
+            (case.name, said) for (case, _), said in zip(clean, pool.map(lambda pair: difference(*pair), clean)) if said
+        ]
+    with capsys.disabled():
+        whole = sum(run.status == 0 for run in runs[: len(programs)])
+        equal = len(clean) - len(differ) - len(wrong)
+        print(
+            f"\nsamples: {equal} of {len(clean)} that run are equal: {whole} programs, {len(clean) - whole} calls of libraries"
+        )
+    assert whole == 120
+    assert len(clean) - whole >= 200
+    assert (wrong, differ) == ([], [])
+
+
+@cache
+def programs(chunk: int) -> tuple[Generated, ...]:
+    return tuple(generated(seed) for seed in range(chunk, PROGRAMS, CHUNKS))
+
+
+def case_of(number: int, program: Generated) -> Case:
+    checked = program.misuse == "" and number % CHECKED == 0
+    return Case(str(number), program.text, program.files, checked=checked, tagged=True)
+
+
+@pytest.mark.parametrize("chunk", range(CHUNKS))
+def test_random_programs(chunk: int) -> None:
+    cases = [case_of(number, program) for number, program in enumerate(programs(chunk))]
+    said = verdicts(cases)
+    # What is wrong as it stands is refused wherever it stands; the interpreter only refuses what it comes to.
+    passed = [name for name in said if cases[int(name)].wrong and not cases[int(name)].stopped]
+    assert len(passed) <= len(cases) // 100
+    assert {name: why for name, why in said.items() if name not in passed} == {}
+    reasons = Counter(fault.kind for case in cases for fault in case.expansion.faults[-1:] if case.stopped)
+    share = sum(bool(case.refused) for case in cases) / len(cases)
+    assert REFUSED[0] <= share <= REFUSED[1], share
+    assert len(reasons) >= REASONS, reasons
+
+
+def test_random_programs_use_all_of_the_language() -> None:
+    used = Counter[str]()
+    for chunk in range(CHUNKS):
+        for program in programs(chunk):
+            used.update(program.used)
+    wanted = (*ARITHMETIC, *COMPARED, *LOGICAL, *FUNCTIONS, *FLOW, *PREDEFINED)
+    rare = {name: used[name] for name in wanted if used[name] < USED_AT_LEAST}
+    assert rare == {}
