@@ -1,6 +1,7 @@
 """MetaGCODE programs that are checked and run in memory."""
 
 from collections.abc import Mapping
+from typing import Any
 
 from deburr.analysis import Analysis
 from deburr.expand import Budget, Expansion, Inputs, Program, expand
@@ -48,6 +49,6 @@ def found(
     return Analysis(Document.parse(program, DIALECT), rules, file, host).findings()
 
 
-def said(program: str, files: Mapping[str, str] | None = None, **more: str) -> list[str]:
+def said(program: str, files: Mapping[str, str] | None = None, **more: Any) -> list[str]:
     """The rules that speak and their lines, counted from 1: `block-unclosed 3`."""
     return [f"{each.rule.removeprefix('metagcode.')} {each.place.line + 1}" for each in found(program, files, **more)]

@@ -170,7 +170,7 @@ class _Writer:
                 return found
 
     def _tried(self, scope: Scope, depth: int) -> list[str]:
-        simple: list[Callable[[Scope], list[str]]] = [self._setting] * 6 + [self._move] * 5 + [self._mode] * 4
+        simple: list[Callable[[Scope], list[str]]] = [*[self._setting] * 6, *[self._move] * 5, *[self._mode] * 4]
         simple += (
             [lambda scope: [self._print(scope)]] * 3
             + [self._call] * 3
