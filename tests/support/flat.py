@@ -84,6 +84,11 @@ class Case:
         return MemoryHost(self.all_files)
 
     @cached_property
+    def original(self) -> "Ran":
+        """What the interpreter makes of it."""
+        return ran(self.all_files, self.main)
+
+    @cached_property
     def wrong(self) -> frozenset[Place]:
         """Where a check finds errors, without a run."""
         if not self.checked:
@@ -126,26 +131,20 @@ def ran(files: Mapping[str, str], main: str = MAIN) -> Ran:
         for path, text in files.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             (folder / path).write_bytes(text.encode("utf-8"))
-        command = [
-            "sh",
-            "-c",
-            f"ulimit -t {SECONDS}; ulimit -f 100000; exec rs274 -g -n 2 -t {TABLE} -v {STORED} {main} >out 2>err",
-        ]
+        limits = f"ulimit -t {SECONDS}; ulimit -f 100000"
+        command = ["sh", "-c", f"{limits}; exec rs274 -g -n 2 -t {TABLE} -v {STORED} {main} >out 2>err"]
+        # It has Python in it, which need not look for packages.
+        environment = {**os.environ, "HOME": name, "PYTHONNOUSERSITE": "1"}
+        nothing = subprocess.DEVNULL
         try:
-            status = subprocess.run(
-                command,
-                cwd=folder,
-                env={**os.environ, "HOME": name},
-                stdin=subprocess.DEVNULL,
-                timeout=SECONDS,
-                check=False,
-            ).returncode
+            done = subprocess.run(command, cwd=folder, env=environment, stdin=nothing, timeout=SECONDS, check=False)
         except subprocess.TimeoutExpired:
             return Ran(None)
         out, err = ((folder / one).read_bytes().decode("utf-8", "replace") for one in ("out", "err"))
     said = [line for line in err.split("\n") if line and line != "executing"]
     message, echo, *_ = [*said, "", ""]
-    return Ran(status if status in (0, 1) else None, canonical(out), _MESSAGE.sub("", message), echo)
+    status = done.returncode if done.returncode in (0, 1) else None
+    return Ran(status, canonical(out), _MESSAGE.sub("", message), echo)
 
 
 def canonical(output: str) -> tuple[str, ...]:
@@ -159,8 +158,9 @@ def canonical(output: str) -> tuple[str, ...]:
     return tuple(found)
 
 
-def difference(case: Case, original: Ran) -> str:
+def difference(case: Case) -> str:
     """How the runs of a program that is accepted and of its expansion differ; nothing if they do not."""
+    original = case.original
     flat = ran({TABLE: case.tools, STORED: case.all_files[STORED], MAIN: case.flat})
     if flat.calls == original.calls and flat.status == original.status:
         return ""
@@ -171,11 +171,11 @@ def difference(case: Case, original: Ran) -> str:
 
 def verdict(case: Case) -> str:
     """Nothing if deburr and the interpreter agree on a program; else how they differ."""
-    original = ran(case.all_files, case.main)
+    original = case.original
     if original.status is None:
         return "" if case.refused else "endless there, expanded here"
     if original.status == 0:
-        return f"refused here: {case.refused} {_said(case)}" if case.refused else difference(case, original)
+        return f"refused here: {case.refused} {_said(case)}" if case.refused else difference(case)
     if not case.refused:
         return f"refused there: {original.message} at {original.echo!r}"
     row, places = original.tagged if case.tagged else None, case.wrong | case.stopped

@@ -72,10 +72,14 @@ class Judge:
             return
         shapes = shapes_of(self._ruleset.dialect).read("\n".join(each.text for each in waiting))
         state, steps = self._state, self._steps
-        for written, shape in zip(waiting, shapes):
+        for at, (written, shape) in enumerate(zip(waiting, shapes)):
             step = steps.get((state, shape)) or self._step(state, shape)
             if step.on_line or step.on_state:
-                self._judge(written, LineNode(written.text, PROGRAM, shape), step, state)
+                try:
+                    self._judge(written, LineNode(written.text, PROGRAM, shape), step, state)
+                except Halt:
+                    self._follow(waiting[:at])
+                    raise
             state = step.after
         self._state = state
         self._first += waiting[: _MOST - len(self._first)]
@@ -83,12 +87,17 @@ class Judge:
     def finish(self) -> None:
         """Judge what is left, and where the moves of the program lead."""
         self.settle()
+        self._follow([])
+
+    def _follow(self, more: list[_Written]) -> None:
+        """Ask the rules that follow the tool through what was written."""
+        lines = [*self._first, *more]
         rules = [rule for rule in self._ruleset.on_whole if rule.short in _ON_MOVES]
-        document = Document.parse("\n".join(written.text for written in self._first), self._ruleset.dialect)
+        document = Document.parse("\n".join(written.text for written in lines), self._ruleset.dialect)
         analysis = Analysis(document, self._ruleset)
         reports = ((rule, report) for rule in rules for report in rule.check(analysis))
         for rule, report in sorted(reports, key=lambda found: found[1].line):
-            self._raise(self._first[report.line], document.node(report.line), rule, report)
+            self._raise(lines[report.line], document.node(report.line), rule, report)
 
     def _step(self, state: State, shape: Shape) -> _Step:
         if len(self._steps) >= _MOST:

@@ -267,11 +267,10 @@ class Position:
         modes = self._machine.modes
         depth = _DEPTH[modes.g["plane"]]
         absolute = modes.g["distance"] == 900
-        here = self.axis(depth)
-        if "R" in words:
-            self._retract = words["R"] if absolute else _plus(here, words["R"])
+        # R and the level at which the cycle began are kept as numbers: other units or offsets do not change them.
+        self._retract = words.get("R", self._retract)
         if self._depth_level is None:
-            self._depth_level = here
+            self._depth_level = self.axis(depth)
         times = max(round(words.get("L", 1)), 0)
         for axis in range(9):
             if axis != depth and AXES[axis] in words and times:
@@ -279,8 +278,10 @@ class Position:
                 self._at[axis] = (
                     target[axis] if absolute else _plus(self._at[axis], None if step is None else step * times)
                 )
-        # Both are kept as numbers: other units or offsets do not change them.
-        ends = (self._retract,) if modes.g["retract"] == 990 else (self._depth_level, self._retract)
+        if "@" in words or "^" in words:
+            self._at[0], self._at[1] = target[0], target[1]
+        clear = self._retract if absolute else _plus(self._retract, self._depth_level)
+        ends = (clear,) if modes.g["retract"] == 990 else (self._depth_level, clear)
         known = [end * self._unit(depth) for end in ends if end is not None]
         self._at[depth] = _plus(max(known), self._offset(depth)) if len(known) == len(ends) else None
 

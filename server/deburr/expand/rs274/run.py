@@ -17,6 +17,7 @@ from deburr.expand.rs274.lines import DECIMALS, Line, Piece, text_of
 from deburr.expand.rs274.machine import Machine
 from deburr.expand.rs274.parts import last_values
 from deburr.expand.rs274.state import Saved, State
+from deburr.expand.rs274.straight import straight, without_number
 from deburr.expand.rs274.unit import ELSEWHERE, END, Op, Unit
 from deburr.expand.rs274.values import name_of
 from deburr.fault import Entered, Halt
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
 
-_NUMBERED = re.compile(r"[ \t]*[nN][ \t]*[0-9][0-9 \t]*(?:\.[0-9 \t]*)?")
 _WATCHED = re.compile(r"#[ \t]*(?:5|#|\[)|[mM][ \t]*0*[ \t]*(?:7[ \t]*[03]|9[ \t]*8)")
 """What can read the position or bring modes back, or calls who knows what."""
 _WORD = re.compile(r"([A-Z])([0-9.]+)")
@@ -66,6 +66,7 @@ class Run:
         machine.started()
         self._flow = Flow(self)
         self._percent = False
+        self._judge: Judge | None = None
         decimals = job.inputs.decimals
         self._decimals = DECIMALS if decimals is None else decimals
         self._minus_zero = self._decimals >= EXACT
@@ -75,8 +76,11 @@ class Run:
         self.main = self.unit = unit
         self.row = 0
         self._watch = self._is_watched(unit)
-        self._judge = Judge(self.job.ruleset) if worth_running(unit.document) else None
         row = ELSEWHERE
+        if worth_running(unit.document):
+            self._judge = Judge(self.job.ruleset)
+        elif not self._watch:
+            row = yield from straight(self.job, unit, lambda row: self._compile(unit, row)())
         while row != END:
             if row == ELSEWHERE:
                 unit, row = self.unit, self.row
@@ -217,8 +221,7 @@ class Run:
             return self._block(unit, row, node)
         text = node.text
         if "line_number" in node.kinds and not self.job.inputs.keep_n:
-            match = _NUMBERED.match(text)
-            text = text[match.end() :] if match is not None else text
+            text = without_number(text)
             if not text.strip():
                 return lambda: row + 1
         emit, file, state, behind = self.emit, unit.file, self.state, row + 1

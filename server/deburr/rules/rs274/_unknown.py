@@ -55,5 +55,8 @@ def _of_piece(analysis: Analysis, piece: Piece) -> Iterator[int]:
 def _has_unknown(analysis: Analysis, reading: Reading, shape: Shape) -> bool:
     if reading.start is None or "word" not in shape.facts(reading).kinds:
         return False
-    line = Line(LineNode(shape.text, reading, shape), analysis.settings)
-    return any(code and not entry(line, code) for code in words(line).codes)
+    key = ("rs274 unknown codes", reading.name)
+    if key not in shape.memo:
+        line = Line(LineNode(shape.text, reading, shape), analysis.settings)
+        shape.memo[key] = any(code and not entry(line, code) for code in words(line).codes)
+    return bool(shape.memo[key])

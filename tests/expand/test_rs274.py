@@ -1,0 +1,134 @@
+"""RS274: what its reference says of every run, as properties (spec/rs274.md §3 to §7)."""
+
+import math
+from fractions import Fraction
+from itertools import permutations
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from deburr.expand import Inputs
+from deburr.expand.job import EXACT
+from support.programs import generated
+from support.rs274 import flat, value
+
+numbers = st.integers(-9999, 9999).map(lambda thousandths: thousandths / 1000)
+small = st.integers(-40, 40).map(lambda halves: halves / 2)
+words = st.sampled_from(
+    ("G0 X1", "g1 y-.5 f100", "M3 S200", "(a comment)", "X1 ; behind", "", " G90", "G2 I1 (c)", "T1 M6", "%d")
+)
+LEVELS = (("**",), ("*", "/", "MOD"), ("+", "-"), ("EQ", "NE", "GT", "GE", "LT", "LE"), ("AND", "OR", "XOR"))
+operators = st.sampled_from([operator for level in LEVELS for operator in level])
+
+
+@given(st.lists(words.filter(lambda word: "%" not in word), max_size=9), st.sampled_from(("M2", "M30")))
+def test_a_program_without_values_is_itself(lines: list[str], end: str) -> None:
+    assert flat("\n".join([*lines, end, "G0 X9", ""])) == [*lines, end]
+    assert flat("\n".join(["%", *lines, "%", "G0 X9", ""])) == ["%", *lines, "%"]
+
+
+@settings(max_examples=25)
+@given(st.integers(0, 100_000))
+def test_a_flat_program_is_its_own_expansion(seed: int) -> None:
+    program = generated(seed)
+    simulated = Inputs(simulate=True, decimals=EXACT, block_delete=False)
+    once = flat(program.text, program.files, simulated)
+    # What a message shows may look like a parameter.
+    lines = [line for line in once if "#" not in line]
+    assert flat("\n".join(lines), {}, simulated) == lines
+
+
+@given(st.lists(st.tuples(operators, st.integers(1, 4)), min_size=1, max_size=5), st.integers(1, 4))
+def test_brackets_that_the_table_implies_change_nothing(steps: list[tuple[str, int]], first: int) -> None:
+    said = f"[{first}" + "".join(f" {operator} {number}" for operator, number in steps) + "]"
+    terms: list[str] = [str(first), *(part for operator, number in steps for part in (operator, str(number)))]
+    for level in LEVELS:
+        terms = bracketed(terms, level)
+    assert value(said) == value(f"[{terms[0]}]")
+
+
+def bracketed(terms: list[str], level: tuple[str, ...]) -> list[str]:
+    """Brackets around each operation of a level, from the left."""
+    found = [terms[0]]
+    for operator, term in zip(terms[1::2], terms[2::2]):
+        if operator in level:
+            found[-1] = f"[{found[-1]} {operator} {term}]"
+        else:
+            found += [operator, term]
+    return found
+
+
+@given(numbers, numbers.filter(bool))
+def test_a_remainder_is_never_negative_and_fits(a: float, b: float) -> None:
+    rest = value(f"[{a} MOD {b}]")
+    assert 0 <= rest <= abs(b)
+    turns = (a - rest) / b
+    assert math.isclose(turns, round(turns), abs_tol=1e-6)
+
+
+@given(numbers)
+def test_rounding(a: float) -> None:
+    down, up, near = value(f"FIX[{a}]"), value(f"FUP[{a}]"), value(f"ROUND[{a}]")
+    assert down <= a <= up <= down + 1
+    assert down == math.floor(a)
+    assert near in (down, up)
+    assert near == -value(f"ROUND[-[{a}]]")
+    assert abs(near - a) <= 0.5
+    assert abs(near) >= abs(a) or abs(near - a) < 0.5
+
+
+@given(st.floats(-89.9, 89.9), numbers.filter(bool))
+def test_angles_are_degrees(angle: float, y: float) -> None:
+    said = f"{angle:.6f}"
+    assert math.isclose(value(f"ATAN[SIN[{said}]]/[COS[{said}]]"), float(said), abs_tol=1e-9)
+    assert math.isclose(value(f"ASIN[SIN[{said}]]"), float(said), abs_tol=1e-6)
+    assert value(f"ATAN[{y}]/[0]") == math.copysign(90, y)
+
+
+@given(st.permutations((1, 2, 3)), st.lists(numbers, min_size=3, max_size=3))
+def test_settings_of_a_line_see_the_values_before_it(order: list[int], given: list[float]) -> None:
+    before = " ".join(f"#{at}={number}" for at, number in enumerate(given, 1))
+    items = [f"#{at}=#{source}" for at, source in enumerate(order, 1)]
+    wanted = [given[source - 1] for source in order]
+    for line in permutations(items):
+        shown = flat(f"{before}\n{' '.join(line)}\n(PRINT,%.9f#1 #2 #3)\nM2\n", {}, Inputs(decimals=EXACT))
+        assert shown[0] == "(PRINT,{:.9f} {:.9f} {:.9f})".format(*wanted)
+
+
+@given(small)
+def test_a_count_is_rounded_half_to_even(count: float) -> None:
+    turns = max(round(Fraction(count)), 0)
+    assert flat(f"#1={count}\no1 repeat [#1]\nG0 X1\no1 endrepeat\nM2\n") == ["G0 X1"] * turns + ["M2"]
+
+
+@given(st.lists(numbers, max_size=30), st.integers(1, 30))
+def test_arguments_belong_to_their_call(arguments: list[float], at: int) -> None:
+    given = "".join(f" [{number}]" for number in arguments)
+    seen = flat(f"o1 sub\n(PRINT,%.9f#{at})\n#{at}=7\no1 endsub\n#{at}=0.5\no1 call{given}\n(PRINT,%.9f#{at})\nM2\n")
+    inside = arguments[at - 1] if at <= len(arguments) else 0.0
+    assert seen == [f"(PRINT,{inside:.9f})", "(PRINT,0.500000000)", "M2"]
+
+
+@given(st.lists(st.tuples(st.sampled_from("XYZ"), numbers), max_size=8), numbers)
+def test_steps_sum_to_the_position(steps: list[tuple[str, float]], offset: float) -> None:
+    moves = "".join(f"G0 {axis}{step}\n" for axis, step in steps)
+    ends = [sum(step for letter, step in steps if letter == axis) for axis in "XYZ"]
+    shown = flat(f"G91\n{moves}#1=#5420 #2=#<_y> #3=#5422\nG92 X{offset}\nG0 A[#1] B[#2] C[#3] X[#<_x>]\nM2\n")
+    found = dict(zip("ABCX", (float(word[1:]) for word in shown[-2].split()[1:])))
+    for letter, end in zip("ABC", ends):
+        assert math.isclose(found[letter], end, abs_tol=1e-5)
+    assert math.isclose(found["X"], offset, abs_tol=1e-5)
+
+
+@given(st.floats(-1e9, 1e9))
+def test_a_number_is_written_so_that_it_reads_back(number: float) -> None:
+    program = "G0 X[#<v>]\nM2\n"
+    define = {"v": repr(number)}
+    (exact, _) = flat(program, {}, Inputs(define=define, decimals=EXACT))
+    assert float(exact.removeprefix("G0 X")) == number
+    (short, _) = flat(program, {}, Inputs(define=define))
+    said = short.removeprefix("G0 X")
+    assert "e" not in said
+    assert len(said.partition(".")[2]) <= 6
+    assert abs(Fraction(said) - Fraction(repr(number))) <= Fraction(1, 2_000_000)
+    assert said not in ("-0", "")
