@@ -11,6 +11,11 @@ def absolute(path: str, folder: str = "") -> str:
     return os.path.abspath(os.path.join(folder, path)).replace(os.sep, "/")
 
 
+def real(path: str) -> str:
+    """The path with all links followed: what two names of one file have in common."""
+    return os.path.realpath(path).replace(os.sep, "/")
+
+
 def parent(path: str) -> str:
     """The folder that a file or folder is in; the root's is the root."""
     return os.path.dirname(path)

@@ -1,6 +1,7 @@
 """`deburr expand`: what is written where, in which bytes, and what is refused."""
 
 import json
+import os
 
 import pytest
 import sourcemap
@@ -107,7 +108,6 @@ def test_decimals_and_line_numbers(shell):
 
 def test_the_source_map_is_read_by_a_published_consumer(shell):
     shell.write("loop.ngc", LOOP)
-    assert shell.run("expand", "loop.ngc", "-o", "out/../flat.ngc", "--source-map", "flat.map").code == 2
     assert shell.run("expand", "loop.ngc", "-o", "flat.ngc", "--source-map", "flat.map").code == 0
     text = (shell.folder / "flat.map").read_text()
     index = sourcemap.loads(text)
@@ -193,3 +193,40 @@ def test_check_is_given_values_too(shell):
     shell.write("p.ngc", "G0 X[1 / #<_n>]\nM2\n")
     assert shell.run("check", "p.ngc", "-D", "_n=0").code == 1
     assert shell.run("check", "p.ngc", "-D", "_n=1").code == 0
+
+
+def test_links_are_followed_modes_kept_and_devices_written_into(shell):
+    shell.write("p.ngc", FLAT)
+    target = shell.write("real.ngc", "old\n")
+    target.chmod(0o640)
+    (shell.folder / "link.ngc").symlink_to(target)
+    assert shell.run("expand", "p.ngc", "-o", "link.ngc").code == 0
+    assert (shell.folder / "link.ngc").is_symlink()
+    assert (target.read_text(), target.stat().st_mode & 0o777) == (FLAT, 0o640)
+    os.mkfifo(shell.folder / "pipe")
+    with os.fdopen(os.open(shell.folder / "pipe", os.O_RDONLY | os.O_NONBLOCK)) as pipe:
+        assert shell.run("expand", "p.ngc", "-o", "pipe").code == 0
+        assert pipe.read() == FLAT
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("-o", "p.ngc"), "-o p.ngc: that would write over p.ngc"),
+        (("-o", "again.ngc"), "that would write over p.ngc"),
+        (("-o", "f", "--source-map", "f"), "--source-map f: that would write over f"),
+        (("-o", ""), "-o: the name of the file is empty"),
+        (("--source-map", ""), "--source-map: the name of the file is empty"),
+        (("-o", "."), "Is a directory"),
+        (("-o", "no/x.ngc"), "no/x.ngc: No such file or directory"),
+        (("--diff", "p.ngc", "-o", "f"), "--diff writes no flat program"),
+    ],
+)
+def test_nothing_is_written_over(shell, arguments, said):
+    shell.write("p.ngc", FLAT)
+    (shell.folder / "again.ngc").symlink_to(shell.folder / "p.ngc")
+    ran = shell.run("expand", "p.ngc", *arguments)
+    assert (ran.code, ran.out) == (2, "")
+    assert said in ran.err
+    assert sorted(path.name for path in shell.folder.iterdir()) == ["again.ngc", "p.ngc"]
+    assert (shell.folder / "p.ngc").read_text() == FLAT

@@ -6,8 +6,10 @@ from collections.abc import Mapping
 from tempfile import TemporaryFile
 from typing import Any
 
+from deburr import paths
 from deburr.cli.check import profile
 from deburr.cli.common import add_config, add_dialect, complain, unable
+from deburr.cli.files import STDIN
 from deburr.cli.flat import Flat, Terms, flat_of, opened_programs
 from deburr.cli.inputs import add_inputs, inputs_of, known, settings
 from deburr.config import Config, ConfigError, from_command_line
@@ -55,6 +57,7 @@ def run(arguments: argparse.Namespace) -> int:
         programs = opened_programs(arguments.files, arguments.dialect, configs)
         others = opened_programs([arguments.diff], arguments.dialect, configs) if arguments.diff else ()
         known(arguments, programs[0].dialect)
+        _distinct(arguments)
     except ConfigError as error:
         return unable(error.messages)
     try:
@@ -81,6 +84,22 @@ def _terms(arguments: argparse.Namespace) -> Terms:
     budget = Budget(arguments.max_steps, arguments.max_blocks)
     mapped = bool(arguments.source_map or arguments.diff)
     return Terms(inputs, budget, EOLS[arguments.eol], arguments.quiet, mapped)
+
+
+def _distinct(arguments: argparse.Namespace) -> None:
+    """Refuse to write over a program, or two things into one file."""
+    written = {"-o": arguments.output, "--source-map": arguments.source_map}
+    taken = {paths.real(file): file for file in arguments.files if file != STDIN}
+    for option, path in written.items():
+        if path is None:
+            continue
+        if not path:
+            raise ConfigError(f"{option}: the name of the file is empty")
+        if paths.real(path) in taken:
+            raise ConfigError(f"{option} {path}: that would write over {taken[paths.real(path)]}")
+        taken[paths.real(path)] = path
+    if arguments.diff and (arguments.output or arguments.source_map):
+        raise ConfigError("--diff writes no flat program: leave -o and --source-map out")
 
 
 def _compared(one: Flat, other: Flat) -> int:

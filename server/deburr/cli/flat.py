@@ -3,6 +3,7 @@
 import os
 import sys
 from collections.abc import Iterator, Sequence
+from errno import EISDIR
 from pathlib import Path
 from time import monotonic
 from typing import IO, NamedTuple
@@ -218,19 +219,30 @@ def _say(found: list[Finding], programs: Sequence[Opened]) -> None:
 
 
 class _replacing:
-    """A file that appears under its name when all of it is written, or not at all."""
+    """A file that appears under its name when all of it is written, or not at all. Links are followed, modes kept; what is no regular file is written into."""
 
     def __init__(self, path: str) -> None:
-        self._path = Path(path)
+        self._path = Path(path).resolve()
+        self._device = self._path.exists() and not self._path.is_file()
         self._part = self._path.with_name(f".{self._path.name}.{os.getpid()}.part")
 
     def __enter__(self) -> IO[bytes]:
-        self._out = self._part.open("wb")
+        if self._path.is_dir():
+            raise IsADirectoryError(EISDIR, os.strerror(EISDIR), str(self._path))
+        try:
+            self._out = (self._path if self._device else self._part).open("wb")
+        except OSError as error:
+            error.filename = str(self._path)
+            raise
         return self._out
 
     def __exit__(self, kind: object, *_: object) -> None:
         self._out.close()
+        if self._device:
+            return
         if kind is None:
+            if self._path.exists():
+                self._part.chmod(self._path.stat().st_mode & 0o7777)
             os.replace(self._part, self._path)  # noqa: PTH105
         else:
             self._part.unlink(missing_ok=True)

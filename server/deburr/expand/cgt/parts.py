@@ -88,7 +88,7 @@ def _executed(parts: Sequence[Item | Body], at: int) -> Item | None:
     if item.kind == "repeat":
         bodies = (part for part in parts[at:] if isinstance(part, Body))
         return None if next((body for body in bodies if body.head is item), None) is not None else item
-    if item.blank and isinstance(behind, Item) and behind.kind == "comment":
+    if item.blank and isinstance(behind, Item) and behind.kind == "comment" and behind.line == item.line:
         before = _on_line(parts[at - 1], item.line) if at else None
         if before is None:
             return None

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.files import loaded
 from deburr.expand.rs274.parts import condition
+from deburr.expand.rs274.saved import restore
 from deburr.expand.rs274.state import ARGUMENTS, ENDLESS, Activation
 from deburr.expand.rs274.unit import ELSEWHERE, Op, Unit
 from deburr.fault import Entered, Frame, Halt
@@ -100,6 +101,8 @@ class Calls:
                 raise state.fault("word-missing", unit.file, row, span, "`M98` calls nothing without a P word")
             count = times() if times is not None else 1
             if count == 0:
+                message = "this calls nothing; the installed interpreter enters a call all the same and never leaves it: local names are gone from here on"
+                state.warn("m98-zero", unit.file, row, span, message)
                 return row + 1
             self._activate(unit, row, span, 0)
             target, start = self._numbered(str(program()), unit, row, span)
@@ -198,7 +201,7 @@ class Calls:
             if loop.left != ENDLESS:
                 state.leaks.counters[unit.file, loop.first] = loop.left
         if state.saved is not None and state.saved.by_return:
-            self._run.restore(unit, row, state.saved)
+            restore(self._run, unit, row, state.saved)
         call = state.calls.pop()
         if call.again is None:
             state.params[1 : ARGUMENTS + 1] = call.arguments

@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
 _MOST = 20_000
 """Combinations of shape and state that are kept, and lines that are looked at together."""
-_ON_MOVES = ("arc-radius", "feed-zero")
-"""Rules that follow the tool through a program."""
+_ON_MOVES = ("arc-radius", "feed-zero", "g-unknown", "m-unknown")
+"""Rules on the program as a whole that are about its moves and codes."""
 
 
 class _Step(NamedTuple):

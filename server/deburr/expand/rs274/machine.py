@@ -12,8 +12,9 @@ import math
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from deburr.expand.rs274.axes import AXES
 from deburr.expand.rs274.modes import GETTERS, Modes
-from deburr.expand.rs274.position import AXES, Position
+from deburr.expand.rs274.position import Position
 from deburr.expand.rs274.tools import Tool, read_tools
 
 if TYPE_CHECKING:

@@ -6,18 +6,15 @@ import math
 from collections.abc import Sequence, Set
 from typing import TYPE_CHECKING
 
+from deburr.expand.rs274.axes import AXES, LINEAR, MACHINE_UNIT, Coordinates, minus, plus, times
 from deburr.expand.rs274.modes import GROUP_OF
 
 if TYPE_CHECKING:
     from deburr.expand.rs274.machine import Machine
 
-AXES = "XYZABCUVW"
-MACHINE_UNIT = 25.4
-"""Millimetres in the stand-alone interpreter's own unit."""
 PROBE_SHORT = 0.254
 """By how many millimetres its made-up probe stops before its target."""
 _MOVING = frozenset((*AXES, "@", "^"))
-_LINEAR = frozenset((0, 1, 2, 6, 7, 8))
 _MOVELESS = frozenset((431, 432, 700, 710, 711, 712, 720, 721, 722))
 """Codes whose axis words lead nowhere: tool offsets, and cycles that follow a contour."""
 _CYCLES = frozenset((730, 810, 820, 830, 840, 850, 860, 870, 880, 890))
@@ -26,7 +23,6 @@ _AXIS_CODES = frozenset((100, 280, 300, 520, 920))
 """Codes that take the axis words of a block from its motion."""
 _DEPTH = {170: 2, 180: 1, 190: 0, 171: 8, 181: 7, 191: 6}
 """The axis that canned cycles drill along, by plane."""
-Coordinates = list[float | None]
 
 
 class Position:
@@ -38,6 +34,7 @@ class Position:
         self._at: Coordinates = [0.0] * 9
         self._systems: list[Coordinates] = [[0.0] * 9 for _ in range(9)]
         self._system: Coordinates = [0.0] * 9
+        self._rotated: set[int] = set()
         self._shift: Coordinates = [0.0] * 9
         """G92 and G52."""
         self._tool: Coordinates = [0.0] * 9
@@ -73,14 +70,14 @@ class Position:
     def read_back(self) -> None:
         """The interpreter asks its machine where it is. The stand-alone one has not heard of tool offsets since its last move."""
         for axis in range(9):
-            self._at[axis] = _plus(self._at[axis], _minus(self._tool[axis], self._tool_then[axis]))
+            self._at[axis] = plus(self._at[axis], minus(self._tool[axis], self._tool_then[axis]))
         self._tool_then = self._tool
 
     def switch(self, factor: float) -> None:
         """Another unit, so many times as large: the stand-alone interpreter's machine takes the number of a tool's offset for one in that unit."""
-        tool = [_times(value, factor) if axis in _LINEAR else value for axis, value in enumerate(self._tool)]
+        tool = [times(value, factor) if axis in LINEAR else value for axis, value in enumerate(self._tool)]
         for axis in range(9):
-            self._at[axis] = _plus(self._at[axis], _minus(tool[axis], self._tool[axis]))
+            self._at[axis] = plus(self._at[axis], minus(tool[axis], self._tool[axis]))
         self._tool = tool
 
     def lose(self) -> None:
@@ -91,7 +88,7 @@ class Position:
         """A line of a contour: whatever the distance mode, X and Z are the point to which it leads."""
         for axis in (0, 2):
             if AXES[axis] in words:
-                self._at[axis] = _plus(self._offset(axis), words[AXES[axis]] * self._unit(axis))
+                self._at[axis] = plus(self._offset(axis), words[AXES[axis]] * self._unit(axis))
 
     def set_parameter(self, at: int, value: float) -> None:
         """An offset was stored by its number."""
@@ -125,25 +122,25 @@ class Position:
             self._retract = self._depth_level = None
 
     def _unit(self, axis: int) -> float:
-        return self._machine.modes.unit if axis in _LINEAR else 1.0
+        return self._machine.modes.unit if axis in LINEAR else 1.0
 
     def _program(self, axis: int) -> float | None:
-        return _minus(self._at[axis], self._offset(axis))
+        return minus(self._at[axis], self._offset(axis))
 
     def _offset(self, axis: int) -> float | None:
-        return _plus(_plus(self._system[axis], self._shift[axis]), self._tool[axis])
+        return plus(plus(self._system[axis], self._shift[axis]), self._tool[axis])
 
     def _from_machine(self, axis: int, value: float) -> float | None:
         """A stored offset in millimetres: only a simulated machine has a unit that is known."""
         if math.isnan(value):
             return None
-        if value == 0 or axis not in _LINEAR:
+        if value == 0 or axis not in LINEAR:
             return value
         return value * MACHINE_UNIT if self._simulate else None
 
     def _store(self, first: int, axis: int, value: float | None) -> None:
         """Keep an offset as a parameter; no number at all is one that only the machine knows."""
-        unit = MACHINE_UNIT if axis in _LINEAR else 1.0
+        unit = MACHINE_UNIT if axis in LINEAR else 1.0
         self._machine.state.params[first + axis] = math.nan if value is None else value / unit
 
     def _choose(self, number: int) -> None:
@@ -160,7 +157,7 @@ class Position:
             found: Coordinates = [None] * 9
             if offsets is not None:
                 found = [self._from_machine(axis, value) for axis, value in enumerate(offsets)]
-            self._tool = found if code == 430 else [_plus(a, b) for a, b in zip(self._tool, found)]
+            self._tool = found if code == 430 else [plus(a, b) for a, b in zip(self._tool, found)]
 
     def _unshift(self, gs: Set[int]) -> None:
         if 923 in gs:
@@ -190,8 +187,8 @@ class Position:
     def _shift_to(self, given: dict[int, float], to_here: bool) -> None:
         """G92 makes the present point the one that is written; G52 is the offset itself."""
         for axis, value in given.items():
-            base = _minus(_minus(self._at[axis], self._system[axis]), self._tool[axis])
-            self._shift[axis] = _minus(base, value) if to_here else value
+            base = minus(minus(self._at[axis], self._system[axis]), self._tool[axis])
+            self._shift[axis] = minus(base, value) if to_here else value
             self._store(5211, axis, self._shift[axis])
         self._kept_shift = list(self._shift)
         self._shifted(True)
@@ -202,14 +199,16 @@ class Position:
             return
         index = number - 1 if number else round(self._machine.state.params[5220]) - 1
         system = self._systems[index]
-        if words.get("R"):
-            system[:] = [None] * 9
         if "R" in words:
+            (self._rotated.add if words["R"] else self._rotated.discard)(index)
             self._machine.state.params[5230 + 20 * index] = words["R"]
         for axis, value in given.items():
-            here = _minus(_minus(self._at[axis], self._shift[axis]), self._tool[axis])
-            system[axis] = value if kind == 2 else _minus(here, value)
+            here = minus(minus(self._at[axis], self._shift[axis]), self._tool[axis])
+            system[axis] = value if kind == 2 else minus(here, value)
             self._store(5221 + 20 * index, axis, system[axis])
+        if index in self._rotated:
+            # A turned system mixes X and Y: neither is followed.
+            system[0] = system[1] = None
 
     def _home(self, first: int, given: dict[int, float]) -> None:
         """Through the point that is written to the stored one: along the axes that are written, or all."""
@@ -240,7 +239,7 @@ class Position:
             if letter in words:
                 value = words[letter] * self._unit(axis)
                 base = 0.0 if in_machine else self._offset(axis) if absolute else self._at[axis]
-                found[axis] = _plus(base, value)
+                found[axis] = plus(base, value)
         return self._polar(found, words)
 
     def _polar(self, found: Coordinates, words: dict[str, float]) -> Coordinates:
@@ -258,8 +257,8 @@ class Position:
             radius = words["@"] * self._unit(0) if "@" in words else radius
             angle = words.get("^", angle)
         turned = math.radians(angle)
-        found[0] = _plus(radius * math.cos(turned), self._offset(0))
-        found[1] = _plus(radius * math.sin(turned), self._offset(1))
+        found[0] = plus(radius * math.cos(turned), self._offset(0))
+        found[1] = plus(radius * math.sin(turned), self._offset(1))
         return found
 
     def _drill(self, target: Coordinates, words: dict[str, float]) -> None:
@@ -274,16 +273,16 @@ class Position:
         times = max(round(words.get("L", 1)), 0)
         for axis in range(9):
             if axis != depth and AXES[axis] in words and times:
-                step = _minus(target[axis], self._at[axis])
+                step = minus(target[axis], self._at[axis])
                 self._at[axis] = (
-                    target[axis] if absolute else _plus(self._at[axis], None if step is None else step * times)
+                    target[axis] if absolute else plus(self._at[axis], None if step is None else step * times)
                 )
         if "@" in words or "^" in words:
             self._at[0], self._at[1] = target[0], target[1]
-        clear = self._retract if absolute else _plus(self._retract, self._depth_level)
+        clear = self._retract if absolute else plus(self._retract, self._depth_level)
         ends = (clear,) if modes.g["retract"] == 990 else (self._depth_level, clear)
         known = [end * self._unit(depth) for end in ends if end is not None]
-        self._at[depth] = _plus(max(known), self._offset(depth)) if len(known) == len(ends) else None
+        self._at[depth] = plus(max(known), self._offset(depth)) if len(known) == len(ends) else None
 
     def _probe(self, target: Coordinates) -> None:
         if not self._simulate or None in target or None in self._at:
@@ -297,16 +296,4 @@ class Position:
         self._at = [(a or 0.0) + step * part for a, step in zip(self._at, way)]
 
     def _seen(self, target: Coordinates) -> Coordinates:
-        return [_minus(value, self._offset(axis)) for axis, value in enumerate(target)]
-
-
-def _plus(a: float | None, b: float | None) -> float | None:
-    return None if a is None or b is None else a + b
-
-
-def _times(a: float | None, factor: float) -> float | None:
-    return None if a is None else a * factor
-
-
-def _minus(a: float | None, b: float | None) -> float | None:
-    return None if a is None or b is None else a - b
+        return [minus(value, self._offset(axis)) for axis, value in enumerate(target)]

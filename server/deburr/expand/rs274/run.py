@@ -16,7 +16,8 @@ from deburr.expand.rs274.judge import Judge
 from deburr.expand.rs274.lines import DECIMALS, Line, Piece, text_of
 from deburr.expand.rs274.machine import Machine
 from deburr.expand.rs274.parts import last_values
-from deburr.expand.rs274.state import Saved, State
+from deburr.expand.rs274.saved import SAVES, saving
+from deburr.expand.rs274.state import State
 from deburr.expand.rs274.straight import straight, without_number
 from deburr.expand.rs274.unit import ELSEWHERE, END, Op, Unit
 from deburr.expand.rs274.values import name_of
@@ -31,12 +32,10 @@ if TYPE_CHECKING:
 
 _WATCHED = re.compile(r"#[ \t]*(?:5|#|\[)|[mM][ \t]*0*[ \t]*(?:7[ \t]*[03]|9[ \t]*8)")
 """What can read the position or bring modes back, or calls who knows what."""
-_WORD = re.compile(r"([A-Z])([0-9.]+)")
 _GLOBAL = re.compile(r"#[ \t]*(<[ \t]*_[^<>\n]*>)")
 _RUNS = frozenset(("param", "setting", "group", "function", "atan", "exists", "CALL", "active"))
 _NOT_PLAIN = _RUNS | {"o_line", "PERCENT", "DELETE", "NUMBER_USED", "NAME_USED"}
 _FLOW_CODES = frozenset(("M2", "M30", "M70", "M71", "M72", "M73", "M98", "M99")) | CONTOURED
-_SAVES = frozenset(("M70", "M71", "M72", "M73"))
 
 
 def run(job: Job) -> Iterator[None]:
@@ -156,16 +155,6 @@ class Run:
 
         return put_down
 
-    def restore(self, unit: Unit, row: int, saved: Saved) -> None:
-        """Bring saved modes back. The flat program has one place for them: where it holds others by now, words say what changes."""
-        emit, frame, machine = self.emit, self.state.frame, self.state.machine
-        lines = machine.modes.restoring(saved.modes)
-        for text in ["M72"] if self.state.slot is saved else lines:
-            emit(text, unit.file, row, frame)
-        for text in lines:
-            words = _WORD.findall(text)
-            machine.block([letter for letter, _ in words], [float(number) for _, number in words], False)
-
     def undecided(self, unit: Unit, row: int, node: LineNode) -> Halt:
         """The end of a run that hangs on the operator's switch."""
         message = "whether this line runs is decided at the machine, and the lines behind it depend on it; say --block-delete on or off"
@@ -248,12 +237,12 @@ class Run:
         delete = self.job.inputs.block_delete if line.deleted else False
         if delete is True:
             return lambda: row + 1
-        if delete is None and (line.settings or not codes.isdisjoint(("M98", "M99", *_SAVES))):
+        if delete is None and (line.settings or not codes.isdisjoint(("M98", "M99", *SAVES))):
             raise self.undecided(unit, row, node)
         if "M98" in codes:
             return self._flow.calls.numbered_call(unit, row, line)
-        if not codes.isdisjoint(_SAVES):
-            return self._saving(unit, row, line, codes & _SAVES)
+        if not codes.isdisjoint(SAVES):
+            return saving(self, unit, row, line, codes & SAVES)
         if not codes.isdisjoint(CONTOURED) and any(word.letter == "Q" for word in line.words):
             return self._flow.calls.contour(unit, row, line)
         pieces = line.pieces()
@@ -266,28 +255,6 @@ class Run:
         if ends:
             executed = self._framed(executed)
         return self._flow.calls.numbered_end(unit, row, line, executed) if "M99" in codes else executed
-
-    def _saving(self, unit: Unit, row: int, line: Line, codes: frozenset[str]) -> Op:
-        """M70 to M73: the rest of the line first, then what they do to the saved modes."""
-        rest, state, emit = self.written(unit, row, line, line.pieces(_SAVES), row + 1), self.state, self.emit
-        span = Span(0, len(line.node.text.rstrip()))
-
-        def executed() -> int:
-            rest()
-            saved = state.saved
-            if not codes.isdisjoint(("M70", "M73")):
-                state.saved = state.slot = Saved(state.machine.modes.copy(), "M73" in codes)
-                emit("M70", unit.file, row, state.frame)
-            elif "M71" in codes:
-                state.saved = None
-            elif saved is None:
-                message = "`M72` brings modes back that no `M70` or `M73` has saved at this level of calls"
-                raise state.fault("restore-unsaved", unit.file, row, span, message)
-            else:
-                self.restore(unit, row, saved)
-            return row + 1
-
-        return executed
 
     def _framed(self, end: Op) -> Op:
         """The end of a program in percent signs: the second one stays behind it."""

@@ -1,0 +1,51 @@
+"""Modal state that is saved and brought back: M70 to M73 (spec/oracle.md §3). Decides nothing about calls."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from deburr.expand.rs274.state import Saved
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from deburr.expand.rs274.lines import Line
+    from deburr.expand.rs274.run import Run
+    from deburr.expand.rs274.unit import Op, Unit
+
+SAVES = frozenset(("M70", "M71", "M72", "M73"))
+_WORD = re.compile(r"([A-Z])([0-9.]+)")
+
+
+def saving(run: Run, unit: Unit, row: int, line: Line, codes: frozenset[str]) -> Op:
+    """A line with one of these codes: the rest of the line first, then what the code does to the saved modes."""
+    rest, state, emit = run.written(unit, row, line, line.pieces(SAVES), row + 1), run.state, run.emit
+    span = Span(0, len(line.node.text.rstrip()))
+
+    def executed() -> int:
+        rest()
+        saved = state.saved
+        if not codes.isdisjoint(("M70", "M73")):
+            state.saved = state.slot = Saved(state.machine.modes.copy(), "M73" in codes)
+            emit("M70", unit.file, row, state.frame)
+        elif "M71" in codes:
+            state.saved = None
+        elif saved is None:
+            message = "`M72` brings modes back that no `M70` or `M73` has saved at this level of calls"
+            raise state.fault("restore-unsaved", unit.file, row, span, message)
+        else:
+            restore(run, unit, row, saved)
+        return row + 1
+
+    return executed
+
+
+def restore(run: Run, unit: Unit, row: int, saved: Saved) -> None:
+    """Bring saved modes back. The flat program has one place for them: where it holds others by now, words say what changes."""
+    state = run.state
+    lines = state.machine.modes.restoring(saved.modes)
+    for text in ["M72"] if state.slot is saved else lines:
+        run.emit(text, unit.file, row, state.frame)
+    for text in lines:
+        words = _WORD.findall(text)
+        state.machine.block([letter for letter, _ in words], [float(number) for _, number in words], False)

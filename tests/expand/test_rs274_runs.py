@@ -1,0 +1,184 @@
+"""RS274: what a run meets, that it ends, and what it costs (spec/rs274.md §6 to §9, spec/oracle.md §4)."""
+
+import tracemalloc
+
+import pytest
+
+from deburr.analysis import Analysis
+from deburr.expand import Budget, Inputs, Job, Program, drive
+from deburr.finding import Severity
+from deburr.ran import ran
+from deburr.ruleset import RuleSet
+from deburr_grammar.document import Document
+from support.pages import MemoryHost
+from support.rs274 import DIALECT, MAIN, RULES, expansion
+
+SUB = "o1 sub\nG0 X1\no1 endsub\n"
+MET = {
+    "divide-by-zero 2 8-10": "#1=0\nG0 X[10/#1]\nM2\n",
+    "domain 2 4-12": "#1=-1\nG0 XSQRT[#1]\nM2\n",
+    "not-finite 2 4-12": "#1=0\nG0 X[3MOD#1]\nM2\n",
+    "integer-required 2 5-12": "#1=0\nG0 X#[#1+.5]\nM2\n",
+    "param-range 2 4-7": "#1=0\nG0 X##1\nM2\n",
+    "param-readonly 2 0-3": "#1=5420\n##1=3\nM2\n",
+    "named-undefined 4 4-8": "o1 if [#2]\n#<a>=1\no1 endif\nG0 X#<a>\nM2\n",
+    "sub-unknown 2 0-8": "#1=9\no#1 call\nM2\n",
+    "sub-redefined 5 0-11": f"{SUB}#1=1\no[#1+0] sub\no1 endsub\nM2\n",
+    "sub-before-definition 3 0-6": "#1=1\no#1 call\no1 sub\no1 endsub\nM2\n",
+    "sub-depth 3 0-14": "o1 sub\no2 if [#1 LT 99]\no1 call [#1+1]\no2 endif\no1 endsub\no1 call\nM2\n",
+    "o-label-integer 2 1-7": "#1=1\no[#1/2] call\nM2\n",
+    "abort 2 0-10": "#1=0\n(ABORT,#1)\nM2\n",
+    "restore-unsaved 2 0-3": "o1 sub\nM72\no1 endsub\no1 call\nM2\n",
+    "negative-value 3 6-10": "#1=2\nF100\nG1 X1 F-#1\nM2\n",
+    "feed-missing 2 0-2": f"{SUB.replace('G0', 'G1')}o1 call\nM2\n",
+    "feed-zero 2 0-2": "#1=0 F1\nG1 X1 F#1\nM2\n",
+    "g-unknown 2 0-3": "#1=12\nG#1\nM2\n",
+    "compare-near 2 7-14": "#1=0.00005\no1 if [#1 EQ 0]\no1 endif\nM2\n",
+    "limit 1 0-12": "o1 while [1]\no1 endwhile\nM2\n",
+}
+"""Rule, row from 1, columns: the programs that meet it there."""
+
+
+@pytest.mark.parametrize("expected", MET)
+def test_what_a_run_meets(expected: str) -> None:
+    kind, row, columns = expected.split()
+    start, end = map(int, columns.split("-"))
+    fault = expansion(MET[expected]).faults[-1]
+    assert (fault.kind, fault.line + 1, fault.span.start, fault.span.end) == (kind, int(row), start, end), fault
+
+
+ENDLESS = {
+    "a condition that always holds": ("o1 while [1]\nG0 X1\no1 endwhile\nM2\n", "limit", "`o1 while [1]` never ends"),
+    "a step of zero": ("#<x>=0 #<s>=0\no1 while [#<x> LT 9]\n#<x>=[#<x>+#<s>]\no1 endwhile\nM2\n", "limit", "`#<x>` = 0"),
+    "a step too small": ("#1=0\no1 while [#1 LT 9]\n#1=[#1+0.00001]\no1 endwhile\nM2\n", "limit", "in `o1 while [#1 LT 9]` of line 2 in pass"),
+    "do": ("#1=2\no1 do\nG0 X#1\no1 while [#1 GT 1]\nM2\n", "limit", "`#1` = 2"),
+    "a count beyond all": ("o1 repeat [10**12]\nG91 G0 X1\no1 endrepeat\nM2\n", "limit", "in `o1 repeat [10**12]` of line 1 in pass"),
+    "loops in loops": ("o1 while [1]\no2 repeat [3]\nG0 X1\no2 endrepeat\no1 endwhile\nM2\n", "limit", "`o1 while [1]` never ends"),
+    "overlapping loops": ("o1 while [1]\no2 while [1]\no1 endwhile\no2 endwhile\nM2\n", "limit", "lines were executed"),
+    "a sub that calls itself": ("o1 sub\no2 if [1]\no1 call\no2 endif\no1 endsub\no1 call\nM2\n", "sub-depth", "9 calls are active"),
+    "two subs that call each other": ("o1 sub\no2 call\no1 endsub\no2 sub\no1 call\no2 endsub\no1 call\nM2\n", "sub-depth", "9 calls are active"),
+    "a program that calls itself": ("M98 P5\nM2\no5\nM98 P5\nM99\n", "sub-depth", "9 calls are active"),
+    "a program that is called too often": ("M98 P5 L1000000000\nM2\no5\nG0 X1\nM99\n", "limit", "lines were executed"),
+    "motion without end": ("G91\no1 while [1]\n#1=#5420\nG0 X1\no1 endwhile\nM2\n", "limit", "in `o1 while [1]` of line 2 in pass"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ENDLESS)
+def test_what_never_ends_ends_with_a_located_fault(name: str) -> None:
+    program, kind, words = ENDLESS[name]
+    tracemalloc.start()
+    found = expansion(program, budget=Budget(20_000, 50_000))
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    fault = found.faults[-1]
+    assert (fault.kind, fault.file) == (kind, MAIN)
+    assert words in fault.message, fault.message
+    assert peak < 100_000_000
+
+
+def test_a_budget_is_kept_to_the_line() -> None:
+    program = "#1=0\no1 while [#1 LT 10]\n#1=[#1+1]\no1 endwhile\nM2\n"
+    # One setting, eleven tests, ten times two lines, M2.
+    assert not expansion(program, budget=Budget(33, 0)).faults
+    assert expansion(program, budget=Budget(32, 0)).cut
+    assert expansion(program, budget=Budget(31, 0)).cut
+
+
+class _Counted:
+    lines = 0
+
+    def line(self, text: str) -> None:
+        self.lines += 1
+
+
+def test_memory_does_not_grow_with_what_is_written() -> None:
+    program = "#1=0\no1 while [#1 LT 30000]\nG1 X#1 Y[#1/7] F100\n#1=[#1+1]\no1 endwhile\nM2\n"
+    sink = _Counted()
+    job = Job([Program(MAIN, Document.parse(program, DIALECT))], RULES, MemoryHost({}), sink, budget=Budget(0, 0))
+    run = drive(job)
+    peaks = []
+    tracemalloc.start()
+    for at, _ in enumerate(run):
+        if at % 20 == 19:
+            peaks.append(tracemalloc.get_traced_memory()[1])
+    tracemalloc.stop()
+    assert sink.lines == 30_001
+    assert peaks[-1] < 12_000_000
+    assert peaks[-1] - peaks[len(peaks) // 2] < 3_000_000
+
+
+def test_a_loop_reads_its_lines_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[int] = []
+    node = Document.node
+    monkeypatch.setattr(Document, "node", lambda document, line: read.append(line) or node(document, line))
+    expansion("#1=0\no1 while [#1 LT 500]\nG1 X#1 F9\n#1=[#1+1]\no1 endwhile\nM2\n")
+    assert max(map(read.count, read)) < 5
+
+
+LEAKS = {
+    "break-leaks 7 0-18": "o1 while [1]\no1 break\no1 endwhile\n#1=0\no5 do\n#1=[#1+1]\no5 while [#1 LT 3]\nM2\n",
+    "break-leaks 9 0-18": "#1=0\no5 do\n#1=[#1+1]\no1 while [0]\no2 if [#1]\no1 break\no2 endif\no1 endwhile\no5 while [#1 LT 3]\nM2\n",
+    "continue-leaks 7 0-12": "#1=0\no1 do\n#1=[#1+1]\no1 continue\no1 while [#1 LT 3]\no5 repeat [2]\no5 endrepeat\nM2\n",
+    "repeat-counter 2 0-13": "o1 sub\no2 repeat [3]\no3 if [#1 EQ 1]\no1 return\no3 endif\no2 endrepeat\no1 endsub\no1 call [1]\no1 call [2]\nM2\n",
+}
+
+
+@pytest.mark.parametrize("expected", LEAKS)
+def test_faults_of_the_interpreter_are_named_and_not_imitated(expected: str) -> None:
+    found = expansion(LEAKS[expected])
+    kind, row, columns = expected.split()
+    told = {(fault.kind, fault.line + 1, f"{fault.span.start}-{fault.span.end}") for fault in found.faults}
+    assert (kind, int(row), columns) in told, told
+    assert found.lines[-1] == "M2"
+
+
+FILES = {
+    "lib.ngc": "o<lib> sub\nG1 X[1/#1] F100\no<lib> endsub\n",
+    "bad.ngc": "o<bad> sub\nG0 X1 X2\no<bad> endsub\n",
+    "other.ngc": "o<else> sub\no<else> endsub\n",
+}
+
+
+def test_a_fault_in_a_called_file_is_placed_there() -> None:
+    found = expansion("o<lib> call [2]\no<lib> call [0]\nM2\n", FILES)
+    fault = found.faults[-1]
+    assert (fault.kind, fault.file, fault.line) == ("divide-by-zero", "lib.ngc", 1)
+    assert fault.stack is not None
+    assert [(frame.file, frame.row, frame.number) for frame in fault.stack.outward()] == [(MAIN, 1, 1)]
+    assert found.lines == ["G1 X0.5 F100"]
+
+
+def test_a_called_file_that_is_wrong_stops_the_run() -> None:
+    fault = expansion("#1=1\no<bad> call\nM2\n", FILES).faults[-1]
+    assert (fault.kind, fault.file, fault.line) == ("word-repeated", "bad.ngc", 1)
+    fault = expansion("o<other> call\nM2\n", FILES).faults[-1]
+    assert (fault.kind, fault.file, fault.line) == ("sub-file", MAIN, 0)
+
+
+INPUT = {
+    "runtime-value": "G38.2 Z-5 F10\nG0 X#5061\nM2\n",
+    "block-delete-state": "/#1=5\nG0 X#1\nM2\n",
+}
+
+
+@pytest.mark.parametrize("kind", INPUT)
+def test_what_only_an_input_decides_is_no_finding_of_a_check(kind: str) -> None:
+    program = INPUT[kind]
+    assert [fault.kind for fault in expansion(program).faults] == [kind]
+    findings = Analysis(Document.parse(program, DIALECT), RULES, MAIN, MemoryHost({}), (), ran).findings()
+    assert [finding for finding in findings if finding.severity is Severity.ERROR] == []
+
+
+def test_simulated_values_and_the_switch_let_the_run_go_on() -> None:
+    inputs = Inputs(simulate=True, block_delete=False)
+    assert expansion("G38.2 Z-5 F10\nG0 Z#5063\nM66 P1 L0\n/#1=#5399\nG0 X#1\nM2\n", inputs=inputs).lines == [
+        "G38.2 Z-5 F10", "G0 Z-5", "M66 P1 L0", "G0 X0", "M2",
+    ]  # fmt: skip
+
+
+def test_a_rule_that_is_off_or_allowed_does_not_stop_a_run() -> None:
+    program = "#1=2\n(deburr: allow rs274.negative-value)\nS-#1\nM2\n"
+    assert expansion(program).lines[-1] == "M2"
+    softer = RuleSet(DIALECT, {}, severities={"rs274.negative-value": Severity.WARNING})
+    assert not expansion("#1=2\nS-#1\nM2\n", rules=softer).faults
+    assert expansion("#1=2\nS-#1\nM2\n").faults
