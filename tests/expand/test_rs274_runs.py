@@ -1,9 +1,12 @@
 """RS274: what a run meets, that it ends, and what it costs (spec/rs274.md §6 to §9, spec/oracle.md §4)."""
 
+import re
 import tracemalloc
+from pathlib import Path
 
 import pytest
 
+import deburr.expand.rs274
 from deburr.analysis import Analysis
 from deburr.expand import Budget, Inputs, Job, Program, drive
 from deburr.finding import Severity
@@ -182,3 +185,11 @@ def test_a_rule_that_is_off_or_allowed_does_not_stop_a_run() -> None:
     softer = RuleSet(DIALECT, {}, severities={"rs274.negative-value": Severity.WARNING})
     assert not expansion("#1=2\nS-#1\nM2\n", rules=softer).faults
     assert expansion("#1=2\nS-#1\nM2\n").faults
+
+
+def test_every_fault_has_its_rule() -> None:
+    folder = Path(deburr.expand.rs274.__file__).parent
+    texts = [path.read_text(encoding="utf-8") for path in folder.glob("*.py")]
+    kinds = {kind for text in texts for kind in re.findall(r'(?:fault|warn|halt|Fault)\(\s*"([a-z0-9-]+)"', text)}
+    assert len(kinds) > 20
+    assert [kind for kind in sorted(kinds) if RULES.named(kind) is None] == []
