@@ -31,7 +31,7 @@ def expanded(
 
 def flat(*programs: str, **more: object) -> list[str]:
     """The lines of a faultless expansion."""
-    expansion = expanded(*programs, **more)  # type: ignore[arg-type]
+    expansion = expanded(*programs, **more)  # type: ignore[arg-type]  # handed on as they are
     assert not [fault for fault in expansion.faults if fault.kind not in ("loop-zero", "alpha-number", "alpha-case")]
     return expansion.lines
 

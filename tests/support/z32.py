@@ -29,7 +29,7 @@ def expanded(
 
 def flat(program: str, files: Mapping[str, str] | None = None, **inputs: object) -> list[str]:
     """The lines of an expansion that meets nothing."""
-    expansion = expanded(program, files, Inputs(**inputs))  # type: ignore[arg-type]
+    expansion = expanded(program, files, Inputs(**inputs))  # type: ignore[arg-type]  # handed on as they are
     assert not expansion.faults, expansion.faults
     return expansion.lines
 

@@ -4,6 +4,7 @@ A module is named after its dialect and found by that name. Results are values o
 `ArithmeticFault`s; a fault is never raised, because a faulty program is no error of ours.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from deburr_grammar.tree import Node, Token
@@ -25,3 +26,18 @@ class Refusal(Exception):
         super().__init__(why)
         self.rule = rule
         self.why = why
+
+
+def tried(
+    apply: Callable[..., float], part: Node, divisor: Node | Token, *values: float | ArithmeticFault | None
+) -> float | ArithmeticFault | None:
+    """A result, or the first fault among the values, or what the control refuses; None if a value is not known."""
+    for value in values:
+        if isinstance(value, ArithmeticFault):
+            return value
+    if None in values:
+        return None
+    try:
+        return apply(*values)
+    except Refusal as refused:
+        return ArithmeticFault(refused.rule, divisor if refused.rule == "divide-by-zero" else part, refused.why)

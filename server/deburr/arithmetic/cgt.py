@@ -6,7 +6,7 @@ import math
 from decimal import ROUND_HALF_UP, Decimal, localcontext
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from deburr.arithmetic import ArithmeticFault, Refusal
+from deburr.arithmetic import ArithmeticFault, Refusal, tried
 from deburr_grammar.tree import Node, Token
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def _operation(text: str, part: Node) -> Value:
     if a is None and said == "/" and b == 0:
         # Only a divisor decides alone: whatever is divided, a zero is refused.
         a = 1.0
-    return _tried(operation(said), part, right if said == "/" and b == 0 else part, a, b)
+    return tried(operation(said), part, right if said == "/" and b == 0 else part, a, b)
 
 
 def _function(text: str, part: Node) -> Value:
@@ -123,28 +123,15 @@ def _function(text: str, part: Node) -> Value:
     if name == "STRSUB" and len(values) == 3:
         # A start before the text is refused whatever the text is.
         values = (0.0 if values[0] is None else values[0], *values[1:])
-        found = _tried(lambda _, start, length: float(len(part_of("", start, length))), part, part, *values)
+        found = tried(lambda _, start, length: float(len(part_of("", start, length))), part, part, *values)
         return found if isinstance(found, ArithmeticFault) else None
     known = function(name)
     if known is None or known.takes != len(parts):
         return next((value for value in values if isinstance(value, ArithmeticFault)), None)
     if name == "MOD" and values[0] is None and values[1] is not None:
-        found = _tried(known.apply, part, parts[1], 1.0, values[1])
+        found = tried(known.apply, part, parts[1], 1.0, values[1])
         return found if isinstance(found, ArithmeticFault) else None
-    return _tried(known.apply, part, parts[-1] if parts else part, *values)
-
-
-def _tried(apply: Callable[..., float], part: Node, divisor: Node | Token, *values: Value) -> Value:
-    """A result, or the first fault, or what has no value; None if a value is not known."""
-    for value in values:
-        if isinstance(value, ArithmeticFault):
-            return value
-    if None in values:
-        return None
-    try:
-        return apply(*values)
-    except Refusal as refused:
-        return ArithmeticFault(refused.rule, divisor if refused.rule == "divide-by-zero" else part, refused.why)
+    return tried(known.apply, part, parts[-1] if parts else part, *values)
 
 
 def _divided(a: float, b: float) -> float:

@@ -7,7 +7,7 @@ import operator
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from deburr.arithmetic import ArithmeticFault, Refusal, extended
+from deburr.arithmetic import ArithmeticFault, Refusal, extended, tried
 from deburr_grammar.tree import Node, Token
 
 Value = float | ArithmeticFault | None
@@ -25,7 +25,7 @@ def constant(text: str, part: Node | Token, settings: Mapping[str, Any]) -> Valu
         return number(text[part.start : part.end]) if part.kind == "NUMBER" else None
     match part.kind:
         case "group":
-            return _tried(finite, part, part, constant(text, part.children[1], settings))
+            return tried(finite, part, part, constant(text, part.children[1], settings))
         case "label":
             return constant(text, part.children[0], settings)
         case "signed":
@@ -33,10 +33,10 @@ def constant(text: str, part: Node | Token, settings: Mapping[str, Any]) -> Valu
             return -inner if isinstance(inner, float) and text[part.start] == "-" else inner
         case "function":
             name, value = spelled(text, part.children[0]), constant(text, part.children[1], settings)
-            return _tried(function(name), part, part, value)
+            return tried(function(name), part, part, value)
         case "atan":
             y, x = (constant(text, part.children[at], settings) for at in (1, 3))
-            return _tried(atan, part, part, y, x)
+            return tried(atan, part, part, y, x)
         case "sum" | "product" | "quotient" | "modulo" | "power" | "comparison" | "logical":
             return _operation(text, part, settings)
         case _:
@@ -70,20 +70,7 @@ def _operation(text: str, part: Node, settings: Mapping[str, Any]) -> Value:
     if a is None and b == 0 and found is _divided:
         # Only a divisor decides alone: whatever is divided, the control refuses a zero.
         a = 1.0
-    return _tried(lambda *values: found(*values), part, right, a, b)
-
-
-def _tried(apply: Callable[..., float], part: Node, divisor: Node | Token, *values: Value) -> Value:
-    """A result, or the first fault, or what the control refuses; None if a value is not known."""
-    for value in values:
-        if isinstance(value, ArithmeticFault):
-            return value
-    if None in values:
-        return None
-    try:
-        return apply(*values)
-    except Refusal as refused:
-        return ArithmeticFault(refused.rule, divisor if refused.rule == "divide-by-zero" else part, refused.why)
+    return tried(lambda *values: found(*values), part, right, a, b)
 
 
 def finite(value: float) -> float:

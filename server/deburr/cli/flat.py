@@ -243,6 +243,6 @@ class _replacing:
         if kind is None:
             if self._path.exists():
                 self._part.chmod(self._path.stat().st_mode & 0o7777)
-            os.replace(self._part, self._path)  # noqa: PTH105
+            self._part.replace(self._path)
         else:
             self._part.unlink(missing_ok=True)

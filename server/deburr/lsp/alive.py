@@ -44,7 +44,7 @@ def _lives_on_windows(process: int) -> bool:
     """There, signal 0 would end the process."""
     import ctypes
 
-    kernel = ctypes.windll.kernel32  # type: ignore[attr-defined,unused-ignore]
+    kernel = ctypes.windll.kernel32  # type: ignore[attr-defined,unused-ignore]  # only there is `windll`
     handle = kernel.OpenProcess(0x00100000, False, process)
     if not handle:
         return False

@@ -147,7 +147,7 @@ class Values:
             value = cell.value
             if value is None:
                 raise state.unset(cell, at)
-            return value  # type: ignore[return-value]
+            return value  # type: ignore[return-value]  # a cell that is no text holds a number
 
         return found
 

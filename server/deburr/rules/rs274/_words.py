@@ -184,3 +184,14 @@ def _code(line: Line, word: Node) -> str:
     code = code_of(line.said(word))
     family = line.node.dialect.codes.family("code", int(code[1:])) if re.fullmatch("M[0-9]{1,6}", code) else None
     return family.name if family is not None else code
+
+
+def clashes(line: Line, letter: str, way_out: str) -> Iterator[Report]:
+    """A report on each code of a letter behind the first of its modal group."""
+    found = words(line)
+    for first, *others in filter(None, sharing(line, found, letter)):
+        group = line.node.dialect.codes.entry("group", entry(line, found.codes[first])["group"])
+        title = group.title if group is not None else ""
+        for at in others:
+            both = f"`{said(line, at)}` and `{said(line, first)}`"
+            yield report(line, at, f"{both} are of one group ({title}); {way_out}")

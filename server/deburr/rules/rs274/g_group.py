@@ -26,20 +26,11 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.rs274._words import entry, report, said, sharing, words
+from deburr.rules.rs274._words import clashes
 from deburr_grammar.tree import Node
 
 
 @rule(Severity.ERROR, Nodes(("line",), by_shape=True))
 def check(line: Line, _: Node) -> Iterator[Report]:
     """Report each code behind the first of its group."""
-    found = words(line)
-    for first, *others in filter(None, sharing(line, found, "G")):
-        group = line.node.dialect.codes.entry("group", entry(line, found.codes[first])["group"])
-        title = group.title if group is not None else ""
-        for at in others:
-            yield report(
-                line,
-                at,
-                f"`{said(line, at)}` and `{said(line, first)}` are of one group ({title}); the control takes one of them on a line",
-            )
+    yield from clashes(line, "G", "the control takes one of them on a line")
