@@ -7,15 +7,16 @@ from typing import TYPE_CHECKING
 
 from deburr.expand import Budget, Inputs, Job, Program, drive, interpreter
 from deburr.fault import Entered
-from deburr.finding import Finding, Place, Related
+from deburr.finding import Finding, Place, Related, Severity
 from deburr.rule import Report
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from deburr.analysis import Analysis
     from deburr.fault import Fault, Frame
     from deburr.ruleset import RuleSet
+    from deburr_grammar.dialect import Dialect
 
 BLOCKS = 200_000
 """Executed blocks after which a run that only checks is left."""
@@ -77,6 +78,28 @@ def _stack(stack: Frame | None) -> Iterator[Related]:
     for frame in islice(stack.outward(), _SHOWN) if stack is not None else ():
         place = Place(frame.file, frame.row, 0, frame.row, 0)
         yield Related(place, _SAID[frame.kind].format(frame.number))
+
+
+def before_a_run(found: Iterable[Finding], dialect: Dialect, programs: int = 1) -> list[Finding]:
+    """What a check found, as far as it speaks of a run of that many joined programs.
+
+    Where a run finds every error by itself, what is wrong where it never runs is no error; and
+    what is wrong with one program alone may be right where they are joined.
+    """
+    module = interpreter(dialect.name)
+    if getattr(module, "ONLY_WHAT_RUNS", False) or (programs > 1 and getattr(module, "CHECKS", False)):
+        return [finding for finding in found if finding.severity < Severity.ERROR]
+    return list(found)
+
+
+def merged(found: Iterable[Finding], met: Iterable[Finding]) -> list[Finding]:
+    """What a check warned of and a run then stops at is said once, as what it has become."""
+    said = {(finding.rule, finding.place): finding for finding in found}
+    for each in met:
+        known = said.get((each.rule, each.place))
+        if known is None or known.severity < each.severity:
+            said[each.rule, each.place] = each
+    return sorted(said.values(), key=lambda finding: finding.order)
 
 
 class _Nowhere:

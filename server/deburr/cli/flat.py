@@ -20,10 +20,10 @@ from deburr.cli.style import style_for
 from deburr.config import ConfigError, RuleSets
 from deburr.configfile import Configs
 from deburr.detect import detect
-from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive, interpreter
+from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive
 from deburr.finding import Finding, Severity
 from deburr.host import Host, NoFiles
-from deburr.ran import worded
+from deburr.ran import before_a_run, merged, worded
 from deburr.ruleset import RuleSet
 from deburr.source import NotAProgram, Source
 from deburr_grammar.dialect import Dialect
@@ -152,18 +152,11 @@ def flat_of(programs: Sequence[Opened], terms: Terms, lines: IO[bytes]) -> Flat:
     """Check the programs, run them into a file, and say on stderr what is wrong."""
     flat = Flat(programs, terms, lines, terms.eol or source.eol_of(programs[0].source.text))
     found = [finding for program in programs for finding in _checked(program, terms.inputs)]
-    module = interpreter(programs[0].dialect.name)
-    if getattr(module, "ONLY_WHAT_RUNS", False) or (len(programs) > 1 and getattr(module, "CHECKS", False)):
-        # What is wrong where it never runs is no error here, and what is wrong with one by itself may be right where they are joined.
-        found = [finding for finding in found if finding.severity < Severity.ERROR]
+    found = before_a_run(found, programs[0].dialect, len(programs))
     if any(finding.severity is Severity.ERROR for finding in found):
         flat.whole = False
     else:
-        # What a check warned of and a run then stops at is said once, as what it has become.
-        said = {(finding.rule, finding.place): finding.severity for finding in found}
-        met = [each for each in _run(flat) if each.severity > said.get((each.rule, each.place), -1)]
-        worse = {(finding.rule, finding.place) for finding in met}
-        found = [*(each for each in found if (each.rule, each.place) not in worse), *met]
+        found = merged(found, _run(flat))
     shown = [finding for finding in found if finding.severity is Severity.ERROR or not terms.quiet]
     _say([finding for finding in shown if finding.severity > Severity.INFO], programs)
     return flat

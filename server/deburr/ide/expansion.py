@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable, Sequence
+from collections.abc import Generator, Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
 from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive, interpreter
 from deburr.finding import Severity
-from deburr.ran import worded
+from deburr.ran import before_a_run, merged, worded
 from deburr.source import eol_of
 from deburr_grammar.text import split_lines
 
@@ -38,9 +38,7 @@ def expanding(
     found = yield from Analysis(view.document, view.ruleset, view.file, view.host, inputs=inputs).gathering()
     lines, source_map = _Lines(), SourceMap()
     module = interpreter(view.dialect.name)
-    if getattr(module, "ONLY_WHAT_RUNS", False):
-        # What is wrong where it never runs is no error here; a run finds every other one by itself.
-        found = [finding for finding in found if finding.severity < Severity.ERROR]
+    found = before_a_run(found, view.dialect)
     if module is None or _wrong(found):
         return Expanded("", source_map, tuple(found), False)
     programs = (Program(view.file, view.document),)
@@ -48,21 +46,13 @@ def expanding(
     yield from drive(job)
     met = [_finding(fault, view, job) for fault in job.faults]
     whole = job.cut or not _wrong(met)
-    return Expanded(_joined(lines.lines, view.document.text) if whole else "", source_map, _merged(found, met), job.cut)
+    return Expanded(
+        _joined(lines.lines, view.document.text) if whole else "", source_map, tuple(merged(found, met)), job.cut
+    )
 
 
 def _wrong(findings: Iterable[Finding]) -> bool:
     return any(finding.severity is Severity.ERROR for finding in findings)
-
-
-def _merged(found: Sequence[Finding], met: Sequence[Finding]) -> tuple[Finding, ...]:
-    """What a check warned of and a run then stops at is said once, as what it has become."""
-    said = {(finding.rule, finding.place): finding for finding in found}
-    for each in met:
-        known = said.get((each.rule, each.place))
-        if known is None or known.severity < each.severity:
-            said[each.rule, each.place] = each
-    return tuple(sorted(said.values(), key=lambda finding: finding.order))
 
 
 def _joined(lines: list[str], source: str) -> str:

@@ -10,16 +10,15 @@ from collections.abc import Iterator
 from functools import lru_cache
 
 from deburr.expand.job import SLICE
+from deburr.expand.lines import reports
 from deburr.expand.metagcode.gather import Gathered, Place
 from deburr.expand.metagcode.lines import Directive
 from deburr.fault import Fault
 from deburr.finding import Severity
-from deburr.rule import Nodes, Report, Rule, Syntax, Text
+from deburr.rule import Nodes, Rule, Syntax, Text
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.dialects.metagcode.limits import NESTED
-from deburr_grammar.document import Piece
-from deburr_grammar.text import with_newlines
 
 CROSSES = "block-crosses-file"
 """What is met where one program opens a block and a later one closes it: a warning, unlike all else."""
@@ -30,7 +29,7 @@ def line_faults(reached: Place, ruleset: RuleSet) -> Iterator[Fault | None]:
     rules = _refusing(ruleset)
     text = reached.source.text
     for piece in text.document.pieces():
-        found = ((piece.line + index, rule, report) for index, rule, report in _reports(piece, rules))
+        found = ((piece.line + index, rule, report) for index, rule, report in reports(piece, rules))
         for row, rule, report in sorted(found, key=lambda each: (each[0], each[2].span)):
             yield Fault(rule.short, text.file, row, report.span, report.message, reached.stack)
         yield None
@@ -82,20 +81,6 @@ def _refusing(ruleset: RuleSet) -> RuleSet:
         return rule.severity is Severity.ERROR and isinstance(rule.trigger, Syntax | Nodes | Text)
 
     return RuleSet(ruleset.dialect, ruleset.settings, refuses)
-
-
-def _reports(piece: Piece, rules: RuleSet) -> Iterator[tuple[int, Rule, Report]]:
-    """What the rules say of a piece, with the lines counted from its first."""
-    for reading, first, shapes in piece.read():
-        plans = {shape: plan for shape in set(shapes) if (plan := rules.plan(shape, reading))}
-        for index in (at for at, shape in enumerate(shapes, first) if shape in plans) if plans else ():
-            for rule, report in rules.on_line(piece.node(index), plans[shapes[index - first]]):
-                yield index, rule, report
-    text = with_newlines(piece.chunk.text)
-    for rule, pattern in rules.on_text:
-        for index in dict.fromkeys(text.count("\n", 0, match.start()) for match in pattern.finditer(text)):
-            for found, report in rules.on_line(piece.node(index), (rule,)):
-                yield index, found, report
 
 
 def _tied(opener: Bracket, closer: Bracket) -> bool:

@@ -6,16 +6,16 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from deburr.expand.lines import reports
 from deburr.fault import Fault, Frame, Halt
 from deburr.finding import Severity
-from deburr.rule import Nodes, Report, Rule, Syntax, Text
+from deburr.rule import Nodes, Rule, Syntax, Text
 from deburr.ruleset import RuleSet
-from deburr_grammar.text import Span, with_newlines
+from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from deburr.expand.job import Job
     from deburr.expand.z32.unit import Unit
-    from deburr_grammar.document import Piece
 
 _WHEN_RUN = frozenset(
     (
@@ -39,7 +39,7 @@ def faults(job: Job, unit: Unit, frame: Frame | None = None) -> Iterator[Fault |
     """
     rules = _refusing(job.ruleset)
     for piece in unit.document.pieces():
-        found = ((piece.line + index, rule, report) for index, rule, report in _reports(piece, rules))
+        found = ((piece.line + index, rule, report) for index, rule, report in reports(piece, rules))
         for row, rule, report in sorted(found, key=lambda each: (each[0], each[2].span)):
             yield Fault(rule.short, unit.file, row, report.span, report.message, frame)
         yield None
@@ -71,18 +71,3 @@ def _refusing(ruleset: RuleSet) -> RuleSet:
         return rule.severity is Severity.ERROR and on_lines and rule.short not in _WHEN_RUN
 
     return RuleSet(ruleset.dialect, ruleset.settings, refuses)
-
-
-def _reports(piece: Piece, rules: RuleSet) -> Iterator[tuple[int, Rule, Report]]:
-    """What the rules say of a piece, with the lines counted from its first."""
-    for reading, first, shapes in piece.read():
-        plans = {shape: plan for shape in set(shapes) if (plan := rules.plan(shape, reading))}
-        for index in (at for at, shape in enumerate(shapes, first) if shape in plans) if plans else ():
-            for rule, report in rules.on_line(piece.node(index), plans[shapes[index - first]]):
-                yield index, rule, report
-    text = with_newlines(piece.chunk.text)
-    for rule, pattern in rules.on_text:
-        for index in dict.fromkeys(text.count("\n", 0, match.start()) for match in pattern.finditer(text)):
-            node = piece.node(index)
-            for found, report in rules.on_line(node, (rule,)) if node.reading.start is not None else ():
-                yield index, found, report
