@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from deburr.analysis import Analysis
 from deburr.host import NoFiles
 from deburr.ide.moved import moved
-from deburr.project import Needs
+from deburr.needs import Needs
 
 if TYPE_CHECKING:
     from deburr.finding import Finding

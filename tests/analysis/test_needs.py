@@ -1,6 +1,7 @@
 """What depends on a changed file is checked again, and only that; findings are always those of a fresh check."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 import pytest
 from hypothesis import given
@@ -9,9 +10,60 @@ from hypothesis import strategies as st
 from deburr import source
 from deburr.check import check
 from deburr.finding import Finding
-from deburr.project import Program, Project
+from deburr.host import Host
+from deburr.needs import Needs
 from deburr.ruleset import RuleSet
+from deburr_grammar.dialect import Dialect
 from deburr_grammar.dialects import by_name
+
+
+class Program(NamedTuple):
+    """A program as it is to be checked."""
+
+    source: source.Source
+    dialect: Dialect
+    ruleset: RuleSet
+
+
+class Project:
+    """The least that can be built on needs: programs under their paths. ``host`` gives the present state of all files, open ones as they are in the editor."""
+
+    def __init__(self, host: Host) -> None:
+        self._host = host
+        self._programs: dict[str, Program] = {}
+        self._kept: dict[str, tuple[tuple[Finding, ...], Needs]] = {}
+
+    def put(self, file: str, program: Program) -> None:
+        """A program that is new, or changed in its text, its dialect or its configuration. One that is as it was stays known."""
+        if self._programs.get(file) != program:
+            self._programs[file] = program
+            self._kept.pop(file, None)
+
+    def remove(self, file: str) -> None:
+        """A program that is of no interest any more."""
+        self._programs.pop(file, None)
+        self._kept.pop(file, None)
+
+    def findings(self, file: str) -> tuple[Finding, ...]:
+        """All findings of a program, as if it were checked now."""
+        kept = self._kept.get(file)
+        if kept is None:
+            needs = Needs(self._host)
+            source, dialect, ruleset = self._programs[file]
+            kept = self._kept[file] = tuple(check(source, dialect, ruleset, file, needs)), needs
+        return kept[0]
+
+    def changed(self, paths: Iterable[str]) -> tuple[str, ...]:
+        """The programs whose findings may be others now that these files were written, made or taken away."""
+        changed = tuple(paths)
+        concerned = tuple(
+            file
+            for file, (_, needs) in self._kept.items()
+            if any(needs.concerned(path, self._host) for path in changed)
+        )
+        for file in concerned:
+            del self._kept[file]
+        return concerned
 
 
 class Files:
