@@ -14,12 +14,18 @@ from deburr.rule import Notice, covers
 from deburr.ruleset import RuleSet
 from deburr_grammar.chunk import Chunk
 from deburr_grammar.dialect import Dialect
+from deburr_grammar.dialects import NAMES
 from deburr_grammar.document import Document
 from deburr_grammar.text import Span
 
 UNUSED = "allow-unused"
 UNKNOWN = "allow-unknown"
+MISSPELT = "allow-misspelt"
 _SIGN = "deburr:"
+_HINTS = ("eburr", "EBURR")
+"""One of them stands in every chunk that holds such a comment, however it is spelled."""
+_OTHERS = frozenset(("ignore", "disable", "noqa", "suppress", "silence", "skip", "off", "allow", "allows", "allowed"))
+"""What other tools call it."""
 
 
 class Allow(NamedTuple):
@@ -49,9 +55,9 @@ def allows(document: Document) -> dict[int, tuple[Allow, ...]]:
 
 def allowed(document: Document, findings: Iterable[Finding], ruleset: RuleSet) -> Allowed:
     """The findings that no comment allows, and the comments that allowed none."""
-    table = allows(document)
+    table, misspelt = allows(document), list(_misspelt(document))
     if not table:
-        return Allowed(list(findings), [])
+        return Allowed(list(findings), misspelt)
     kept: list[Finding] = []
     used: set[tuple[int, Allow]] = set()
     for finding in findings:
@@ -59,7 +65,7 @@ def allowed(document: Document, findings: Iterable[Finding], ruleset: RuleSet) -
         used.update(speaking)
         kept += [] if speaking else [finding]
     unused = [(line, allow) for line, names in table.items() for allow in names if (line, allow) not in used]
-    return Allowed(kept, list(_notices(document, unused, ruleset)))
+    return Allowed(kept, [*_notices(document, unused, ruleset), *misspelt])
 
 
 def is_allowed(document: Document, finding: Finding) -> bool:
@@ -96,6 +102,44 @@ def comment_pattern(comments: Sequence[tuple[str, str]], inner: str) -> str:
 @cache
 def _pattern(dialect: Dialect) -> re.Pattern[str]:
     return re.compile(comment_pattern(dialect.comments, rf"{_SIGN}[ \t]*allow(?![\w-])(?P<names{{number}}>{{}}*)"))
+
+
+@cache
+def _meant(dialect: Dialect) -> re.Pattern[str]:
+    """A comment that names a rule behind `deburr` and a word, however these are spelled."""
+    name = r"(?P<name{number}>[A-Za-z0-9]+(?:\.[A-Za-z0-9-]+)?)"
+    inner = rf"(?P<said{{number}}>\bdeburr[ \t]*:?[ \t]*(?P<word{{number}}>[a-z-]+)[ \t:=]+{name})(?![\w.]){{}}*"
+    return re.compile(comment_pattern(dialect.comments, inner), re.I)
+
+
+def _misspelt(document: Document) -> Iterator[Notice]:
+    """Comments that are certainly meant to allow a rule and do not."""
+    first = 0
+    for chunk in document.chunks():
+        for index, span, name in _misspelt_in_chunk(chunk, document.dialect):
+            if document.node(first + index).reading.start is not None:
+                yield Notice(MISSPELT, first + index, span, name)
+        first += chunk.eols
+
+
+def _misspelt_in_chunk(chunk: Chunk, dialect: Dialect) -> tuple[tuple[int, Span, str], ...]:
+    """Kept with the chunk: it depends on its text alone."""
+    found: tuple[tuple[int, Span, str], ...] | None = chunk.memo.get("misspelt")
+    if found is None:
+        lines = range(len(chunk.starts)) if any(hint in chunk.text for hint in _HINTS) else range(0)
+        found = tuple((index, *each) for index in lines for each in _misspelt_in_line(chunk.line(index), dialect))
+        chunk.memo["misspelt"] = found
+    return found
+
+
+def _misspelt_in_line(text: str, dialect: Dialect) -> Iterator[tuple[Span, str]]:
+    for match in _meant(dialect).finditer(text):
+        parts = match.groupdict()
+        number = next(name.removeprefix("said") for name, said in parts.items() if name.startswith("said") and said)
+        word, name = (parts[f"{part}{number}"].lower() for part in ("word", "name"))
+        rule = name.partition(".")[0] in NAMES and ("." in name or word in _OTHERS)
+        if rule and word != "dialect" and not _pattern(dialect).fullmatch(match[0]):
+            yield Span(*match.span(f"said{number}")), name
 
 
 def _names(match: re.Match[str], alone: bool) -> Iterator[Allow]:

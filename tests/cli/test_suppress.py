@@ -60,7 +60,15 @@ def test_allowed(program):
         ("G0 X1 (deburr: allow rs274.allow-unused)", [("allow-unused", 1)]),
         ("G0 X1 (deburr: allow z32.percent)", [("allow-unknown", 1)]),
         ("G0 X1 (deburr: allow)", [("allow-unknown", 1)]),
-        ("G0 X1 (deburr: allowed rs274.percent)", []),
+        ("G0 X1 (deburr: allowed rs274.percent)", [("allow-misspelt", 1)]),
+        (f"G0 X[1/0] (deburr: ignore {ZERO})", [("divide-by-zero", 1), ("allow-misspelt", 1)]),
+        (f"G0 X[1/0] (deburr: noqa: {ZERO} -- it never comes here)", [("divide-by-zero", 1), ("allow-misspelt", 1)]),
+        (f"G0 X[1/0] ; DEBURR: ALLOW {ZERO.upper()}", [("divide-by-zero", 1), ("allow-misspelt", 1)]),
+        (f"G0 X[1/0] (Deburr allow {ZERO})", [("divide-by-zero", 1), ("allow-misspelt", 1)]),
+        ("G0 X1 (deburr: alow rs274.percent, rs274.comment-nested)", [("allow-misspelt", 1)]),
+        ("G0 X1 (deburr: disable rs274)", [("allow-misspelt", 1)]),
+        ("(deburr: ignore the inner edges)\n(DEBURR: ALLOW 0.2 MM)\n(deburr: dialect=rs274)\n(deburr: for rs274 only)", []),
+        ("(debur: ignore)\n(deburr: ignore)\n(DEBURR ALL EDGES, R0.2 MAX)\n(see deburr: www.rs274.org)", []),
         ("G0 X1 (deburr: allow -- rs274.percent)", [("allow-unknown", 1)]),
         (f"M2\n(deburr: allow {ZERO})", [("text-after-end", 3)]),
     ],
@@ -104,4 +112,11 @@ def test_messages(shell):
         "a.ngc:2:22: warning rs274.allow-unused `rs274.percent` finds nothing here; the comment would hide the next fault, take the name out\n"
         "a.ngc:2:37: warning rs274.allow-unknown `nonsense` is no rule of this language; nothing is allowed by it\n"
         "Found 2 warnings in 1 file (1 checked)\n"
+    )
+
+
+def test_a_word_that_allows_nothing_is_named_with_the_one_that_does(shell):
+    shell.write("a.ngc", "G21 G90 G17\nG0 X1 (deburr: ignore rs274.percent -- why)\nF100\nM2\n")
+    assert shell.run("check", "--output-format", "concise").out.startswith(
+        "a.ngc:2:8: warning rs274.allow-misspelt this allows nothing; did you mean `deburr: allow rs274.percent`?\n"
     )
