@@ -17,8 +17,11 @@ class ConfigError(Exception):
     """A configuration that cannot be used; each message begins with its place."""
 
     def __init__(self, *messages: str) -> None:
-        super().__init__("\n".join(messages))
+        super().__init__(*messages)
         self.messages = messages
+
+    def __str__(self) -> str:
+        return "\n".join(self.messages)
 
 
 class Value(NamedTuple):

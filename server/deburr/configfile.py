@@ -13,7 +13,7 @@ from deburr.config import Config, ConfigError, Glob, Graded, Value
 from deburr.finding import Severity
 from deburr.schema import Fault, Free, faults, tables
 from deburr.selection import Selection
-from deburr_grammar.dialect import Kind, Setting
+from deburr_grammar.dialect import Dialect, Kind, Setting
 
 FILE = "deburr.toml"
 PROJECT = "pyproject.toml"
@@ -26,6 +26,7 @@ class Configs:
         self._top = top or Config()
         self._only = None if only is None else self._top.over(read(paths.absolute(only)))
         self._folders: dict[str, Config] = {}
+        self._complete: set[tuple[int, str]] = set()
 
     def of(self, file: str) -> Config:
         """The configuration of a file, given by its absolute path."""
@@ -38,6 +39,13 @@ class Configs:
         if folder not in self._folders:
             self._folders[folder] = self._found(folder)
         return self._folders[folder]
+
+    def require(self, config: Config, dialect: Dialect) -> None:
+        """ConfigError if a configuration of this session names files or folders for a dialect that are not there; asked once for each."""
+        if (id(config), dialect.name) not in self._complete:
+            self._complete.add((id(config), dialect.name))
+            if missing := tuple(_absent(config, dialect)):
+                raise ConfigError(*missing)
 
     def _found(self, folder: str) -> Config:
         for name in (FILE, PROJECT):
@@ -70,6 +78,32 @@ def given(data: Mapping[str, Any], folder: str, said_by: str) -> Config:
     return _config(data, paths.join(folder, said_by))
 
 
+def _absent(config: Config, dialect: Dialect) -> Iterator[str]:
+    """What is said of each file or folder that is not there."""
+    for setting in dialect.settings:
+        value, origin = config.get(dialect.name, setting)
+        if origin and setting.kind in (Kind.PATH, Kind.PATHS):
+            for path in (value,) if setting.kind is Kind.PATH else value:
+                if path and not paths.exists(path):
+                    fault = Fault(
+                        (dialect.name, setting.name), f"`{setting.name}` names `{path}`, which does not exist"
+                    )
+                    yield _message(origin, _text(origin), _prefix(origin), fault)
+
+
+def _text(path: str) -> str:
+    """The text of a configuration that was read before; none if it stands in no file."""
+    try:
+        return paths.data(path).decode("utf-8-sig")
+    except OSError:
+        return ""
+
+
+def _prefix(path: str) -> tuple[str, ...]:
+    """The tables in which a file's keys stand."""
+    return ("tool", "deburr") if path.endswith(f"/{PROJECT}") else ()
+
+
 def _data(path: str) -> dict[str, Any]:
     import tomllib
 
@@ -82,9 +116,8 @@ def _data(path: str) -> dict[str, Any]:
         raise ConfigError(f"{path}: not UTF-8, as TOML must be") from None
     except tomllib.TOMLDecodeError as error:
         raise ConfigError(_placed(path, str(error))) from None
-    prefix: tuple[str, ...] = ()
-    if path.endswith(f"/{PROJECT}"):
-        prefix = ("tool", "deburr")
+    prefix = _prefix(path)
+    if prefix:
         data = data.get("tool", {}).get("deburr", {})
     wrong = list(faults(data)) if isinstance(data, dict) else [Fault((), "`tool.deburr` must be a table")]
     if wrong:

@@ -4,6 +4,12 @@
 
 import os
 import os.path
+import stat
+from errno import EFBIG
+from typing import BinaryIO
+
+MOST = 64 * 1024 * 1024
+"""Bytes that are read from a device: some never end."""
 
 
 def absolute(path: str, folder: str = "") -> str:
@@ -65,7 +71,21 @@ def size(path: str) -> int:
 def data(path: str) -> bytes:
     """The bytes of a file; OSError if it cannot be read."""
     with open(path, "rb") as file:
+        return bounded(file)
+
+
+def bounded(file: BinaryIO) -> bytes:
+    """All bytes of an open file; OSError if it is a device that gives more than any program has."""
+    try:
+        mode = os.fstat(file.fileno()).st_mode
+    except OSError:
+        return file.read()  # It is no file of the system's, so it is in memory.
+    if not (stat.S_ISCHR(mode) or stat.S_ISBLK(mode)):
         return file.read()
+    found = file.read(MOST + 1)
+    if len(found) > MOST:
+        raise OSError(EFBIG, f"a device that gives more than {MOST:,} bytes, which is no program")
+    return found
 
 
 def names(folder: str) -> list[str]:

@@ -44,7 +44,11 @@ def unknown(name: str, *, whole: bool = False) -> str:
     """What is wrong with a name that should mean rules, or nothing. ``whole``: it must be one rule's full name."""
     if name == ALL and not whole:
         return ""
-    dialect = name.partition(".")[0]
+    if not name:
+        return "an empty text names no rule"
+    dialect, *words = name.rstrip(".-").split(".")
+    if name.endswith((".", "-")) and not unknown(".".join((dialect, *words)), whole=whole):
+        return f"`{name}` is no rule; did you mean `{'.'.join((dialect, *words))}`?"
     if dialect not in NAMES:
         return f"`{name}` is no rule{_meant(name)}"
     names = rule_names(dialect)

@@ -56,12 +56,13 @@ def test_what_templates_share_is_said_once(shell):
 def test_a_file_that_is_not_there_is_said_with_its_key(shell):
     shell.write("deburr.toml", CONFIG)
     shell.write("a.cgt", TEMPLATE)
-    lines, code = concise(shell, "a.cgt", "-q")
-    assert [line.split(" ")[2] for line in lines] == ["cgt.cl-syntax", "cgt.machine-file"]
-    assert all(line.startswith("a.cgt:1:1: error ") for line in lines)
-    assert "paths/sample.cl` cannot be read; `input` in `[cgt]` of the configuration names it" in lines[0]
-    assert "mill.toml` cannot be read; `machine` in `[cgt]` of the configuration names it" in lines[1]
-    assert code == 1
+    ran = shell.run("check", "a.cgt")
+    folder = shell.folder.as_posix()
+    assert (ran.code, ran.out) == (2, "")
+    assert ran.err.splitlines() == [
+        f"deburr: error: {folder}/deburr.toml:2: `input` names `{folder}/paths/sample.cl`, which does not exist",
+        f"deburr: error: {folder}/deburr.toml:3: `machine` names `{folder}/mill.toml`, which does not exist",
+    ]
 
 
 def test_a_comment_in_the_template_speaks_for_the_template_alone(shell):

@@ -3,6 +3,7 @@
 import pytest
 
 from deburr.cli.disk import Disk
+from deburr.paths import bounded
 from deburr.source import NotAProgram, Source, read
 
 FAULT = b"G0 X[1/0]\n"
@@ -117,6 +118,17 @@ def test_other_nuls_are_refused(shell, data, reason):
         ran = shell.run("check", path, "b.ngc")
         assert (ran.code, ran.out) == (2, "No findings (1 checked, 1 not checked)\n")
         assert ran.err == f"deburr: error: a.ngc: {reason}\n"
+
+
+def test_devices_are_read_to_a_bound(shell, monkeypatch):
+    monkeypatch.setattr("deburr.paths.MOST", 1_000)
+    said = "/dev/zero: a device that gives more than 1,000 bytes, which is no program\n"
+    for arguments in (("check",), ("check", "--dialect", "z32"), ("expand", "--dialect", "z32")):
+        ran = shell.run(*arguments, "/dev/zero")
+        assert (ran.code, ran.err) == (2, f"deburr: error: {said}")
+    assert shell.run("check", "--dialect", "z32", "/dev/null").code == 0
+    with open("/dev/zero", "rb") as endless, pytest.raises(OSError, match="1,000 bytes"):  # noqa: PTH123  A device.
+        bounded(endless)
 
 
 def test_a_binary_with_a_shared_extension_is_skipped_in_a_folder(shell):

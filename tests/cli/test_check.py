@@ -97,6 +97,9 @@ def test_selection(shell, arguments, found):
             "--output-format: two reports go to standard output; write FORMAT=FILE",
         ),
         (["--config", "nothing.toml"], "nothing.toml: No such file or directory"),
+        (["--select", ""], "argument --select: an empty text names no rule"),
+        (["--ignore", " , "], "argument --ignore: an empty text names no rule"),
+        (["--select", "rs274."], "argument --select: `rs274.` is no rule; did you mean `rs274`?"),
     ],
 )
 def test_usage_errors(shell, arguments, message):
@@ -231,6 +234,25 @@ def test_outputs_into_files(shell):
         shell.run("check", "--output-file", "no/such/folder").err
         == "deburr: error: no/such/folder: No such file or directory\n"
     )
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["a.ngc", "--output-file", "a.ngc"],
+        [".", "--output-file", "./sub/../a.ngc"],
+        ["a.ngc", "--output-format", "json=link.json"],
+        ["a.ngc", "--output-format", "full", "--output-format", "json=a.ngc"],
+    ],
+)
+def test_a_report_is_not_written_over_a_program(shell, arguments):
+    shell.write("a.ngc", FAULTY)
+    shell.write("sub/b.ngc", CLEAN)
+    (shell.folder / "link.json").symlink_to(shell.folder / "a.ngc")
+    ran = shell.run("check", *arguments)
+    assert (ran.code, ran.out) == (2, "")
+    assert ran.err.endswith(": the report would be written over this program\n")
+    assert (shell.folder / "a.ngc").read_text() == FAULTY
 
 
 def test_processes_give_the_same_in_the_same_order(shell):

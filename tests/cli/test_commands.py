@@ -79,6 +79,9 @@ def test_rule_unknown(shell):
     ran = shell.run("rule", "rs274.comment-nestde")
     assert ran == (2, "", "deburr: error: `rs274.comment-nestde` is no rule; did you mean `rs274.comment-nested`?\n")
     assert "did you mean `rs274.comment-nested`" in shell.run("rule", "comment-nested").err
+    assert shell.run("rule", "rs274.").err == "deburr: error: `rs274.` is no rule; did you mean `rs274`?\n"
+    assert shell.run("rule", "rs274.o-").err == "deburr: error: `rs274.o-` is no rule; did you mean `rs274.o`?\n"
+    assert shell.run("rule", "").err == "deburr: error: an empty text names no rule\n"
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -80,6 +80,7 @@ def count(shell, *arguments):
         ("[z32.pal]\n301 = inf", ":2", "`301` in `pal` must be an integer, the only values that PAL holds"),
         ("[z32.pal]\n301 = true", ":2", "`301` in `pal` must be an integer, the only values that PAL holds"),
         ("[z32]\npal = 5", ":2", "`pal` must be a table, not a number"),
+        ("[check]\nselect = ['']", ":2", "an empty text names no rule"),
         ("extend = 'nothing.toml'", "", "No such file or directory"),
         ("extend = 'deburr.toml'", "", "`extend` goes round in a circle"),
         ("extend = 3", ":1", "`extend` must be a text, not a number"),
@@ -146,6 +147,7 @@ def test_extend(shell):
     shell.write("deeper.toml", '[rs274]\nprofile = "smithy"\nparameters = "p.var"\n')
     shell.write("sub/deburr.toml", 'extend = "../base.toml"\n[check]\nfail-on = "warning"\n')
     shell.write("sub/x.ngc", FAULTY)
+    shell.write("p.var", "")
     assert count(shell) == 0
     config = read((shell.folder / "sub/deburr.toml").as_posix())
     assert config.values["check.fail-on"].value == "warning"
@@ -153,6 +155,38 @@ def test_extend(shell):
     assert config.values["rs274.parameters"].value == (shell.folder / "p.var").as_posix()
     shell.write("sub/deburr.toml", f'extend = "../base.toml"\n[check]\nselect = ["{ZERO}"]\n')
     assert count(shell) == 1
+
+
+@pytest.mark.parametrize(
+    ("dialect", "setting", "program"),
+    [
+        ("metagcode", "snippets-dir", "G0 X1\n"),
+        ("metagcode", "variables", "G0 X1\n"),
+        ("rs274", "subroutine-path", "G0 X1\nM2\n"),
+        ("rs274", "parameters", "G0 X1\nM2\n"),
+        ("rs274", "tool-table", "G0 X1\nM2\n"),
+        ("cgt", "input", "@START\nG90\n@\n@END\nM30\n@\n"),
+        ("cgt", "machine", "@START\nG90\n@\n@END\nM30\n@\n"),
+        ("z32", "cmos-dir", "G0 X1\nM30\n"),
+        ("z32", "file-root", "G0 X1\nM30\n"),
+    ],
+)
+def test_paths_that_do_not_exist_are_said_where_a_program_may_need_them(shell, dialect, setting, program):
+    value = '["gone"]' if setting == "subroutine-path" else '"gone"'
+    shell.write("deburr.toml", f"\n[{dialect}]\n{setting} = {value}\n")
+    for name in ("a", "b"):
+        shell.write(f"{name}{by_name(dialect).extensions[0]}", program)
+    file = (shell.folder / "deburr.toml").as_posix()
+    gone = (shell.folder / "gone").as_posix()
+    said = f"deburr: error: {file}:3: `{setting}` names `{gone}`, which does not exist\n"
+    assert shell.run("check") == (2, "", said)
+    assert shell.run("check", "-j", "2") == (2, "", said)
+    assert shell.run("expand", f"a{by_name(dialect).extensions[0]}") == (2, "", said)
+    other = "x.ngc" if dialect != "rs274" else "x.z32"
+    shell.write(other, "G0 X1\nM2\n")
+    assert shell.run("check", other).code == 0
+    shell.write("gone", "")
+    assert "does not exist" not in shell.run("check").err
 
 
 def test_severity(shell):

@@ -230,3 +230,13 @@ def test_nothing_is_written_over(shell, arguments, said):
     assert said in ran.err
     assert sorted(path.name for path in shell.folder.iterdir()) == ["again.ngc", "p.ngc"]
     assert (shell.folder / "p.ngc").read_text() == FLAT
+
+
+@pytest.mark.parametrize("option", ["--variables", "--config"])
+@pytest.mark.parametrize("written", ["-o", "--source-map"])
+def test_inputs_are_not_written_over(shell, option, written):
+    shell.write("p.mgc", "G0 X1\n")
+    shell.write("in", "")
+    ran = shell.run("expand", "p.mgc", option, "in", written, "./in")
+    assert ran == (2, "", f"deburr: error: {written} ./in: that would write over in\n")
+    assert (shell.folder / "in").read_text() == ""

@@ -67,7 +67,10 @@ def test_allowed(program):
         (f"G0 X[1/0] (Deburr allow {ZERO})", [("divide-by-zero", 1), ("allow-misspelt", 1)]),
         ("G0 X1 (deburr: alow rs274.percent, rs274.comment-nested)", [("allow-misspelt", 1)]),
         ("G0 X1 (deburr: disable rs274)", [("allow-misspelt", 1)]),
-        ("(deburr: ignore the inner edges)\n(DEBURR: ALLOW 0.2 MM)\n(deburr: dialect=rs274)\n(deburr: for rs274 only)", []),
+        (
+            "(deburr: ignore the inner edges)\n(DEBURR: ALLOW 0.2 MM)\n(deburr: dialect=rs274)\n(deburr: for rs274 only)",
+            [],
+        ),
         ("(debur: ignore)\n(deburr: ignore)\n(DEBURR ALL EDGES, R0.2 MAX)\n(see deburr: www.rs274.org)", []),
         ("G0 X1 (deburr: allow -- rs274.percent)", [("allow-unknown", 1)]),
         (f"M2\n(deburr: allow {ZERO})", [("text-after-end", 3)]),

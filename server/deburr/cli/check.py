@@ -102,10 +102,12 @@ def run(arguments: argparse.Namespace) -> int:
         for target in found:
             # Here, so that a configuration that cannot be used is said before anything is reported.
             configs.of(target.file if target.file != STDIN else paths.absolute(arguments.stdin_filename or STDIN))
+        _distinct(outputs, found)
+        loud = any(each.form == "full" for each in outputs)
+        options = Options(arguments.dialect, arguments.stdin_filename, loud, inputs)
+        result = Result(tuple(outcomes(Checker(configs, options), found, _processes(arguments.jobs, found))))
     except ConfigError as error:
         return unable(error.messages)
-    options = Options(arguments.dialect, arguments.stdin_filename, any(each.form == "full" for each in outputs), inputs)
-    result = Result(tuple(outcomes(Checker(configs, options), found, _processes(arguments.jobs, found))))
     if not found:
         complain("no programs found under the given paths", "warning")
     _say(result.outcomes, arguments.verbose)
@@ -158,6 +160,14 @@ def _outputs(arguments: argparse.Namespace) -> list[Output]:
     return outputs
 
 
+def _distinct(outputs: Iterable[Output], found: Iterable[Target]) -> None:
+    """Refuse to write a report over a program that is checked."""
+    taken = {paths.real(target.file) for target in found if target.file != STDIN}
+    for output in outputs:
+        if output.file and paths.real(output.file) in taken:
+            raise ConfigError(f"{output.file}: the report would be written over this program")
+
+
 def _write(result: Result, output: Output, arguments: argparse.Namespace) -> None:
     if not output.file:
         _report(result, output.form, arguments, sys.stdout, style_for(sys.stdout))
@@ -199,7 +209,8 @@ def _processes(asked: int | None, found: Sequence[Target]) -> int:
 
 
 def _rules(said: str) -> list[str]:
-    names = [name.strip() for name in said.split(",") if name.strip()]
+    names = [name.strip() for name in said.split(",")]
+    names = [name for name in names if name] or [""]
     if wrong := next((message for name in names if (message := unknown(name))), None):
         raise argparse.ArgumentTypeError(wrong)
     return names

@@ -11,7 +11,7 @@ from deburr.cli.check import profile
 from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.files import STDIN
 from deburr.cli.flat import Flat, Terms, flat_of, opened_programs
-from deburr.cli.inputs import add_inputs, inputs_of, known, settings
+from deburr.cli.inputs import add_inputs, inputs_of, known, named_files, settings
 from deburr.config import Config, ConfigError, from_command_line
 from deburr.configfile import Configs
 from deburr.expand import Budget
@@ -87,9 +87,10 @@ def _terms(arguments: argparse.Namespace) -> Terms:
 
 
 def _distinct(arguments: argparse.Namespace) -> None:
-    """Refuse to write over a program, or two things into one file."""
+    """Refuse to write over what is read, or two things into one file."""
     written = {"-o": arguments.output, "--source-map": arguments.source_map}
-    taken = {paths.real(file): file for file in arguments.files if file != STDIN}
+    read = (*arguments.files, *named_files(arguments), arguments.config or STDIN)
+    taken = {paths.real(file): file for file in read if file != STDIN}
     for option, path in written.items():
         if path is None:
             continue

@@ -30,7 +30,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Print the answer."""
     said = arguments.file
     try:
-        data = sys.stdin.buffer.read() if said == STDIN else paths.data(said)
+        data = paths.bounded(sys.stdin.buffer) if said == STDIN else paths.data(said)
         answer = _answer(said, data, arguments)
     except OSError as error:
         return unable([f"{said}: {error.strerror or 'cannot be read'}"])

@@ -68,7 +68,7 @@ def opened_programs(files: Sequence[str], dialect: str | None, configs: Configs)
 def _opened(file: str, asked: str | None, configs: Configs, rulesets: RuleSets, disk: Disk) -> Opened:
     name = "" if file == STDIN else paths.absolute(file)
     try:
-        data = sys.stdin.buffer.read() if file == STDIN else paths.data(name)
+        data = paths.bounded(sys.stdin.buffer) if file == STDIN else paths.data(name)
     except OSError as error:
         raise ConfigError(f"{file}: {error.strerror or 'cannot be read'}") from None
     read = source.read(data)
@@ -79,6 +79,7 @@ def _opened(file: str, asked: str | None, configs: Configs, rulesets: RuleSets, 
     if answer.dialect is None:
         raise ConfigError(f"{file}: {answer.reason}; say which with --dialect ({', '.join(NAMES)})")
     dialect = by_name(answer.dialect)
+    configs.require(config, dialect)
     host: Host = disk if name else NoFiles()
     ruleset = rulesets.of(dialect, config, name or file)
     return Opened(name or file, read, dialect, ruleset, opened(read, dialect, ruleset, host), host)

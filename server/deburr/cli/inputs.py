@@ -54,13 +54,19 @@ def defines(said: Sequence[str]) -> dict[str, str]:
     return found
 
 
+def named_files(arguments: argparse.Namespace) -> list[str]:
+    """The files that the command line names as inputs."""
+    said = (getattr(arguments, name.replace("-", "_")) for name in _FILES.values())
+    return [path for path in said if path is not None]
+
+
 def settings(arguments: argparse.Namespace) -> Iterator[tuple[str, str]]:
     """The files that the command line names, for each dialect that has such a setting."""
     for option, name in _FILES.items():
         path = getattr(arguments, name.replace("-", "_"))
         if path is None:
             continue
-        if not paths.is_file(path):
+        if not paths.exists(path) or paths.is_folder(path):
             raise ConfigError(f"{option}: {path}: no such file")
         for dialect in NAMES:
             if any(setting.name == name for setting in by_name(dialect).settings):

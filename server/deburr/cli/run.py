@@ -63,7 +63,7 @@ class Checker:
             name = paths.absolute(self._options.stdin_name) if self._options.stdin_name else ""
             file = name or STDIN
         try:
-            data = sys.stdin.buffer.read() if target.file == STDIN else paths.data(file)
+            data = paths.bounded(sys.stdin.buffer) if target.file == STDIN else paths.data(file)
         except OSError as error:
             return Outcome(file, failure=error.strerror or "cannot be read")
         config = self._configs.of(name) if name else self._configs.in_folder(paths.working_folder())
@@ -78,6 +78,7 @@ class Checker:
             way_out = f"{answer.reason}; say which with --dialect ({', '.join(NAMES)})"
             return Outcome(file, reason=answer.reason, failure=way_out if named else "")
         dialect = by_name(answer.dialect)
+        self._configs.require(config, dialect)
         host: Host = self._disk if name else NoFiles()
         ruleset = self._rulesets.of(dialect, config, name or file)
         run = _ran if config.runs else None

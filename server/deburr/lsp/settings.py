@@ -81,7 +81,12 @@ class Settings:
 
     def ruleset(self, dialect: Dialect, file: str) -> RuleSet:
         """The rule set for a file."""
-        return self._rulesets.of(dialect, self.of(file), file)
+        config = self.of(file)
+        try:
+            self.configs.require(config, dialect)
+        except ConfigError as error:
+            self._once(error)
+        return self._rulesets.of(dialect, config, file)
 
     def _once(self, error: ConfigError) -> None:
         for message in error.messages:
