@@ -159,6 +159,10 @@ class Document:
         """The other end of an opener or closer by depth alone; None where there is none in its region."""
         return Partners(self._outliner, self._way(line).path).find(line, bracket)
 
+    def around(self, line: int, col: int) -> tuple[int, Bracket] | None:
+        """The opener of the innermost block that is open at a place, by depth alone; None outside all blocks of its region."""
+        return Partners(self._outliner, self._way(line).path).around(line, col)
+
     def gathered(self, key: Hashable, of: Callable[[Piece], frozenset[S]]) -> frozenset[S]:
         """What the pieces hold, united. It may hang on a piece's text, its readings and ``key`` alone, and is kept with chunks and branches."""
         return self._gathered(self._root, self._outliner.start, key, of)

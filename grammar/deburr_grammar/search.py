@@ -35,12 +35,23 @@ class Partners:
     def find(self, line: int, bracket: Bracket) -> Found:
         """The other end of an opener or closer that stands on a line of the chunk; None where its region has none."""
         forward = bracket.role is Role.OPEN
+        brackets = self._here()
+        at = brackets.index((line, bracket))
+        return self._beyond(brackets[at + 1 :] if forward else reversed(brackets[:at]), forward)
+
+    def around(self, line: int, col: int) -> Found:
+        """The opener of the innermost block that is open at a place of the chunk; None outside all blocks."""
+        before = [(at, each) for at, each in self._here() if (at, each.span.start) < (line, col)]
+        return self._beyond(reversed(before), False)
+
+    def _here(self) -> list[tuple[int, Bracket]]:
         here = self._path[-1]
         chunk = here.branch.children[here.number]
         assert isinstance(chunk, Chunk)
-        brackets = self._brackets(_At(chunk, here.line, here.before))
-        at = brackets.index((line, bracket))
-        rest = brackets[at + 1 :] if forward else reversed(brackets[:at])
+        return self._brackets(_At(chunk, here.line, here.before))
+
+    def _beyond(self, rest: Iterable[tuple[int, Bracket]], forward: bool) -> Found:
+        """The other end of one block, in the rest of the chunk's brackets or in the chunks behind or before it."""
         done, found, depth = _scan(rest, 1, forward)
         for step in () if done else reversed(self._path):
             for node in self._siblings(step, forward):

@@ -179,6 +179,17 @@ def test_no_partner_beyond_a_region() -> None:
         assert [other for _, _, other in typed(parsed(text, size))] == [None, None, None, None]
 
 
+def test_the_block_around_a_place() -> None:
+    text = "G0\no1 if [1]\nG1\no2 while [1]\nG2\no2 endwhile\nG3\no1 endif\nG4\no9 sub\nG5\no9 endsub\n"
+    for size in (3, 20, 300):
+        document = parsed(text, size)
+        found = [document.around(line, 0) for line in range(document.line_count)]
+        heads = [None if each is None else each[0] for each in found]
+        # An opener is open behind its start, and a block is open up to the start of its closer.
+        assert heads == [None, None, 1, 1, 3, 3, 1, 1, None, None, None, None, None]
+        assert document.around(1, 99) == (1, next(each for line, each in document.brackets() if line == 1))
+
+
 def test_partners_thousands_of_chunks_apart() -> None:
     inner = "o2 if [1]\no2 endif\nG1 X1\n" * 2_000
     document = parsed(f"o1 if [1]\n{inner}o1 endif\n", 30)

@@ -11,6 +11,8 @@ from deburr.ide.hover import hover
 from deburr.ide.outline import Part, outline
 from deburr.ide.selection import selections
 from deburr.ide.tokens import coloured
+from deburr_grammar.dialects import NAMES
+from support.hovers import Hovered, hovers
 from support.views import at_cursor
 
 RS274 = "o<drill> sub\n#<deep>=1\no1 if [#1 GT 2]\nG1 X[#<de<|>ep>+SIN[#1]] (c)\no1 endif\no<drill> endsub\no<drill> call [1]\n(a)\n(b)\n(c)\nM2\n"
@@ -19,90 +21,16 @@ CGT = "@DECLARE\n#DEC #depth\n@\n@LINE\n<#MOV>< X#X<|>POS>#CALL(SUB)\n@\n@SUB\nX
 Z32 = "(P)\nN10 G1 X<SN(H<|>A)>\n!GON10!\n:5\nM30\n"
 
 
-@pytest.mark.parametrize(
-    ("dialect", "text", "said"),
-    [
-        (
-            "rs274",
-            "#<x>=5\nG1 X#<<|>x>\n",
-            "**`#<x>`** variable\n\nof the main program; subprograms have their own\n\nset in line 1: `#<x>=5` · read in line 2",
-        ),
-        (
-            "rs274",
-            "o<s> sub\nG1 X#<<|>d>\no<s> endsub\n",
-            "**`#<d>`** variable\n\nof the sub `s` alone\n\nset nowhere here: its value is not known · read in line 2",
-        ),
-        (
-            "rs274",
-            "#<_<|>depth>=1\n#<_depth>=2\n",
-            "**`#<_depth>`** variable\n\nset in line 1, line 2",
-        ),
-        (
-            "rs274",
-            "G1 X#54<|>20\n",
-            "**`#5420`** position X\n\nPresent position of X in the active coordinate system with all offsets, in program units. Not known after"
-            " G28, G30, a probing move or a tool change.\n\nkind: number · read only\n\nread in line 1",
-        ),
-        (
-            "rs274",
-            "G0 X##<|>1\n",
-            "**`#1`** subroutine arguments\n\nArguments of the running subroutine, its own at each call; missing ones are 0. At top level and in"
-            " M98 programs they are ordinary global parameters.\n\nkind: number\n\nof the main program; subprograms have their own\n\n"
-            "set nowhere here: its value is not known · read in line 1",
-        ),
-        (
-            "metagcode",
-            "#LOOP1 |Depth| 5 c\nZ|De<|>pth|\n#ENDLOOP1\n",
-            "**`|Depth|`** variable\n\nin `#LOOP1` (line 1): divided into equal steps of at most 5, its sum so far in each pass\n\n"
-            "set in line 1: `#LOOP1 |Depth| 5 c` · read in line 2",
-        ),
-        (
-            "metagcode",
-            "Z|De<|>pth|\n",
-            "**`|Depth|`** variable\n\nset nowhere here: its value is not known · read in line 1",
-        ),
-        (
-            "cgt",
-            "@LINE\n<#<|>ABSI>\n@\n@ABSI\n1,G91\n@\n",
-            "**`#ABSI`** absolute or incremental\n\n0 absolute, 1 incremental; prints the code of that row.\n\ntype: table\n\n"
-            "| row | prints |\n|---|---|\n| 0 | `G90` |\n| 1 | `G91` |\n\n| row of the section | prints |\n|---|---|\n| 1 | `G91` |",
-        ),
-        (
-            "cgt",
-            "@LINE\nX#XP<|>OSY\n@\n",
-            "**`#XPOS`** end point X\n\nX of the end point of the element.\n\ntype: decimal",
-        ),
-        (
-            "cgt",
-            "@LINE\n#EVAL(#V<|>1=2)\n@\n",
-            "**`#V1`** user numbers\n\nNumbers free for the template, usable without declaration; 0 at the start, printed with up to 4 decimals"
-            " and no trailing zeros.\n\nkind: number\n\nset in line 2: `#EVAL(#V1=2)`",
-        ),
-        (
-            "z32",
-            "(P)\n!PAR[10]=1!\nX<PAR[<|>10]>\n",
-            "**`PAR[10]`** real parameters\n\nReal numbers PAR[0] to PAR[512], shared by all programs.\n\nkind: number\n\nset in line 2: `!PAR[10]=1!` · read in line 3",
-        ),
-        (
-            "z32",
-            "(P)\nX<PAL[30<|>0]>\n",
-            "**`PAL[300]`** integers of the machine\n\nPAL[256] to PAL[512], written by the machine only; their value must be supplied from"
-            " outside.\n\nkind: integer · read only · its value is known to the machine only\n\nread in line 2",
-        ),
-        (
-            "z32",
-            "(P)\nG25YZX\nA<|>A10\n",
-            "**`AA`** first axis of G25\n\nStands for the first axis named by the last G25; an error without one.\n\nkind: number · group:"
-            " alias\n\nstands for `Y` behind `G25YZX` in line 2\n\nset in line 3: `AA10`",
-        ),
-        ("z32", "(P)\nN10 G1\n!GON1<|>0!\n", "**`N10`** label\n\ndefined in line 2 · named in line 3"),
-    ],
-)
-def test_hover(dialect: str, text: str, said: str) -> None:
-    view, pos = at_cursor(dialect, text)
+def named(case: Hovered) -> object:
+    return pytest.param(case, id=f"{case.dialect}-{case.title}")
+
+
+@pytest.mark.parametrize("case", [named(case) for dialect in NAMES for case in hovers(dialect)])
+def test_hover(case: Hovered) -> None:
+    view, pos = at_cursor(case.dialect, case.program, case.settings, beside=case.files)
     found = hover(view, pos)
     assert found is not None
-    assert found.text == said
+    assert found.text == case.said
 
 
 def test_nothing_is_said_of_nothing() -> None:

@@ -49,12 +49,19 @@ class Files:
                 yield found
 
 
-def at_cursor(dialect: str, text: str, settings: Mapping[str, Any] | None = None, **others: str) -> tuple[View, Pos]:
-    """The program of a text with a cursor, among other files; `__` in their names is `/`, the first other `_` a point."""
+def at_cursor(
+    dialect: str,
+    text: str,
+    settings: Mapping[str, Any] | None = None,
+    beside: Mapping[str, str] | None = None,
+    **others: str,
+) -> tuple[View, Pos]:
+    """The program of a text with a cursor, among other files; `__` in the names of others is `/`, the first other `_` a point."""
     before = text.partition(CURSOR)[0]
     lines = split_lines(before)
     suffix = by_name(dialect).extensions[0]
     files = {f"/job/{name.replace('__', '/').replace('_', '.')}": said for name, said in others.items()}
+    files |= {f"/job/{name}": said for name, said in (beside or {}).items()}
     found = Files(dialect, {MAIN + suffix: text.replace(CURSOR, ""), **files}, settings).view(MAIN + suffix)
     assert found is not None
     return found, Pos(len(lines) - 1, len(lines[-1]))

@@ -1,13 +1,16 @@
-"""What is known of the thing at a place, in Markdown: what it means, whose it is, where it is set and read. Claims nothing that it does not know."""
+"""What is known of the thing at a place, in Markdown: what it means, whose it is, what it holds there, where it is set and read. Claims nothing that it does not know."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr.ide.definition import file_of
+from deburr.ide.known import held, known
 from deburr.ide.related import uses
-from deburr.symbols import Act, Sort, Symbol, entry_of, language_of
+from deburr.symbols import Act, Sort, entry_of, language_of
+from deburr.symbols.constants import constants_of
 from deburr.symbols.index import Placed, at
 
 if TYPE_CHECKING:
@@ -18,9 +21,17 @@ if TYPE_CHECKING:
 _LISTED = 3
 """So many lines are named; of more, only how many there are."""
 _LONGEST = 60
-_USED = (Sort.VARIABLE, Sort.SUB, Sort.LABEL, Sort.SECTION)
+_USED = (Sort.VARIABLE, Sort.WORD, Sort.SUB, Sort.LABEL, Sort.SECTION)
+_HOLDING = (Sort.VARIABLE, Sort.WORD)
 _FACTS = {"unit": "unit", "type": "type", "kind": "kind", "argument": "argument", "result": "result"}
-_KNOWN = {"machine": "its value is known to the machine only", "operator": "its value is the operator's"}
+_UNKNOWN = {
+    "machine": "only the machine has it",
+    "operator": "it is the operator's",
+    "table": "it is stored at the control",
+    "toolpath": "the toolpath gives it",
+}
+
+Found = dict[Act, list[tuple["View", Placed]]]
 
 
 class Hover(NamedTuple):
@@ -39,38 +50,57 @@ def hover(view: View, pos: Pos) -> Hover | None:
     return Hover("\n\n".join(parts), placed.mention.span)
 
 
-def described(entry: Entry) -> Iterator[str]:
-    """What a table says: signature, meaning, facts."""
+def described(entry: Entry, *more: str) -> Iterator[str]:
+    """What a table says: signature, meaning, facts; ``more`` are facts that hold here."""
     if signature := entry.more.get("signature"):
         yield f"`{signature}`"
     yield entry.text
-    facts = [f"{said}: {entry.more[key]}" for key, said in _FACTS.items() if entry.more.get(key)]
-    if entry.more.get("access") == "read":
-        facts.append("read only")
+    yield " · ".join([*_facts(entry), *filter(None, more)])
+
+
+def _facts(entry: Entry) -> Iterator[str]:
+    for key, said in _FACTS.items():
+        value = entry.more.get(key)
+        if value and value != "none":
+            yield f"{said}: {value}"
+    if entry.more.get("access") == "read" or entry.more.get("settable") is False:
+        yield "read only"
     if group := entry.more.get("group"):
-        facts.append(f"group: {group}")
+        yield f"group: {group}"
     if words := entry.more.get("words"):
-        facts.append(f"words: {' '.join(words)}")
-    if known := _KNOWN.get(str(entry.more.get("known"))):
-        facts.append(known)
-    yield " · ".join(facts)
+        yield f"words: {' '.join(words)}"
 
 
 def _parts(view: View, placed: Placed) -> Iterator[str]:
-    symbol = placed.mention.symbol
-    language = language_of(view.dialect.name)
+    mention = placed.mention
+    symbol, language = mention.symbol, language_of(view.dialect.name)
     assert language is not None
     entry = entry_of(symbol, view.dialect.codes)
+    scope = _scope(placed) or (language.SHARED if symbol.sort is Sort.VARIABLE else "")
     yield f"**`{language.written(symbol)}`** {entry.title if entry is not None else symbol.sort.value}"
     if entry is not None:
-        yield from described(entry)
+        yield from described(entry, scope)
         yield rows(entry)
-    yield _scope(placed)
-    yield from language.notes(view.document, placed.line, placed.mention)
+    else:
+        yield scope
+    yield from language.notes(view.document, placed.line, mention)
+    if symbol.sort is Sort.KEYWORD:
+        yield from _lengths(view, placed)
     if file := file_of(view, symbol):
-        yield f"file `{file}`"
-    if symbol.sort in _USED:
-        yield from _places(view, symbol, placed)
+        yield f"file `{file.removeprefix(view.file.rpartition('/')[0] + '/')}`"
+    if symbol.sort in _USED and not mention.passing:
+        found = _found(view, placed)
+        if symbol.sort in _HOLDING:
+            yield _value(view, placed, entry, found)
+        yield _places(view, symbol.sort, found)
+
+
+def _lengths(view: View, placed: Placed) -> Iterator[str]:
+    """How often the loop goes round that a keyword starts."""
+    constants = constants_of(view.dialect.name)
+    if constants is not None:
+        found = constants.lengths(view.document, placed.line, partial(held, view), view.ruleset.settings)
+        yield " · ".join(each.text for each in found)
 
 
 def rows(entry: Entry) -> str:
@@ -82,8 +112,7 @@ def rows(entry: Entry) -> str:
 
 
 def _scope(placed: Placed) -> str:
-    symbol = placed.mention.symbol
-    if not symbol.local:
+    if not placed.mention.symbol.local:
         return ""
     if placed.region is None:
         return "of the main program; subprograms have their own"
@@ -91,26 +120,40 @@ def _scope(placed: Placed) -> str:
     return f"of the {kind} `{label}` alone" if label is not None else f"of this {kind} alone"
 
 
-def _places(view: View, symbol: Symbol, placed: Placed) -> Iterator[str]:
-    """Where it is set and read. What is set once is shown as it stands there."""
-    found: dict[Act, list[tuple[View, Placed]]] = {}
-    for each, one in uses(view, symbol, placed.region):
+def _found(view: View, placed: Placed) -> Found:
+    found: Found = {}
+    for each, one in uses(view, placed.mention.symbol, placed.region):
         found.setdefault(one.mention.act, []).append((each, one))
-    said = [
-        _said(word, view, places)
-        for act, word in (
-            (Act.DEFINE, "defined"),
-            (Act.SET, "set"),
-            (Act.READ, "read"),
-            (Act.CALL, "called" if symbol.sort is Sort.SUB else "named"),
-        )
-        if (places := found.get(act))
-    ]
-    entry = entry_of(symbol, view.dialect.codes)
-    free = entry is None or entry.more.get("access") != "read"
-    if symbol.sort is Sort.VARIABLE and free and Act.SET not in found and Act.DEFINE not in found:
-        said.insert(0, "set nowhere here: its value is not known")
-    yield " · ".join(said)
+    return found
+
+
+def _value(view: View, placed: Placed, entry: Entry | None, found: Found) -> str:
+    """What it holds here; what is not known is called that, with the reason."""
+    if entry is not None and (constant := entry.more.get("value")):
+        return f"value: **{constant}**"
+    if value := known(view, placed):
+        return f"value here: **{value.said}** ({value.why})"
+    return f"value here: not known, {_reason(view, placed, entry, Act.SET in found)}"
+
+
+def _reason(view: View, placed: Placed, entry: Entry | None, is_set: bool) -> str:
+    """Why a value is not known."""
+    more = entry.more if entry is not None else {}
+    if said := _UNKNOWN.get(str(more.get("known"))):
+        return said
+    language = language_of(view.dialect.name)
+    assert language is not None
+    if is_set or more.get("access") == "read" or more.get("settable") is False:
+        return language.SET
+    inside: str = more.get("inside", "") if placed.region is not None else ""
+    return inside or language.UNSET
+
+
+def _places(view: View, sort: Sort, found: Found) -> str:
+    """Where it is defined, set, read and called. What is set once is shown as it stands there."""
+    called = "called" if sort is Sort.SUB else "named"
+    words = ((Act.DEFINE, "defined"), (Act.SET, "set"), (Act.READ, "read"), (Act.CALL, called))
+    return " · ".join(_said(word, view, places) for act, word in words if (places := found.get(act)))
 
 
 def _said(word: str, view: View, places: Sequence[tuple[View, Placed]]) -> str:

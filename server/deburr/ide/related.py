@@ -12,13 +12,15 @@ if TYPE_CHECKING:
     from deburr.ide.view import View
 
 _MOST = 500
+_FILES = (Sort.SUB, Sort.FILE, Sort.SECTION)
+"""What can lead to another file."""
 _SHARED = (Sort.SUB, Sort.FILE, Sort.VARIABLE)
 
 
 def called(view: View) -> Iterator[View]:
     """The programs whose files a program's names lead to."""
     language = language_of(view.dialect.name)
-    for symbol in all_symbols(view.document) if language is not None else ():
+    for symbol in all_symbols(view.document, *_FILES) if language is not None else ():
         path = language.file(symbol, view.file, view.ruleset, view.host) if language is not None else None
         found = None if path is None or path == view.file else view.beside(path)
         if found is not None:

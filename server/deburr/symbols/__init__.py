@@ -63,7 +63,7 @@ class Symbol(NamedTuple):
     """The table of the dialect that may say more of it."""
 
 
-SOUGHT = frozenset((Sort.VARIABLE, Sort.SUB, Sort.LABEL, Sort.SECTION, Sort.FILE))
+SOUGHT = frozenset((Sort.VARIABLE, Sort.WORD, Sort.SUB, Sort.LABEL, Sort.SECTION, Sort.FILE))
 """What is looked for in a whole program; the rest is the language's own and stands everywhere."""
 
 
@@ -86,9 +86,17 @@ class Meant(NamedTuple):
 
 
 class Language(Protocol):
-    """What a dialect's module knows. ``NAMING``: the kinds of nodes and tokens without which a line names nothing that is looked for."""
+    """What a dialect's module knows.
+
+    ``NAMING``: the kinds of nodes and tokens without which a line names nothing that is looked for.
+    ``SHARED``: who shares a variable that is nobody's own. ``SET`` and ``UNSET``: why the value of
+    one is not known that some line sets, or none.
+    """
 
     NAMING: frozenset[str]
+    SHARED: str
+    SET: str
+    UNSET: str
 
     def names(self, document: Document) -> Hashable:
         """What the mentions of a line depend on besides the line; None: nothing."""

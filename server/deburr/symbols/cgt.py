@@ -25,6 +25,9 @@ _DECLARATION = re.compile(
 )
 _NAME = re.compile(r"#([A-Za-z][A-Za-z0-9_]*)")
 _PARTIAL = re.compile(r"#[A-Za-z0-9_]*$|\$?[A-Za-z][A-Za-z0-9_]*$")
+SHARED = "shared by all sections"
+SET = "only a run tells"
+UNSET = "set nowhere here"
 NAMING = frozenset(("WORD", "HEADER", "SECTION"))
 _ROWS = 30
 _SYSTEM_WORD = "word"
@@ -110,26 +113,25 @@ def notes(document: Document, line: int, mention: Mention) -> Iterator[str]:
     kind = dict(names(document)).get(mention.symbol.name)
     if kind is not None:
         yield f"declared here, type: {kind}"
-    rows = list(_rows(document, mention.symbol.name)) if mention.symbol.sort is not Sort.SECTION else []
+    rows = list(table_rows(document, mention.symbol.name)) if mention.symbol.sort is not Sort.SECTION else []
     if rows:
-        yield "\n".join(["| row of the section | prints |", "|---|---|", *rows])
+        lines = [f"| {label} | `{prints}` |" for label, prints in rows]
+        yield "\n".join(["| row of the section | prints |", "|---|---|", *lines])
 
 
-def _rows(document: Document, section: str) -> Iterator[str]:
-    """The rows of a table section."""
-    inside = False
-    for number, bracket in document.brackets():
-        if bracket.role is Role.REGION and bracket.label == section:
-            inside = True
-            for at in range(number + 1, min(document.line_count, number + 1 + _ROWS)):
-                row = document.node(at)
-                if row.reading.name != "table" or row.text.startswith("@"):
-                    break
-                label, comma, prints = row.text.partition("//")[0].partition(",")
-                if comma:
-                    yield f"| {label.strip()} | `{prints.strip()}` |"
-        if inside:
+def table_rows(document: Document, section: str) -> Iterator[tuple[str, str]]:
+    """The rows of a table section: the label and what is printed."""
+    first = next(
+        (line for line, bracket in document.brackets() if bracket.role is Role.REGION and bracket.label == section),
+        None,
+    )
+    for at in range(first + 1, min(document.line_count, first + 1 + _ROWS)) if first is not None else ():
+        row = document.node(at)
+        if row.reading.name != "table" or row.text.startswith("@"):
             return
+        label, comma, prints = row.text.partition("//")[0].partition(",")
+        if comma:
+            yield label.strip(), prints.strip()
 
 
 def meant(document: Document, line: int, mention: Mention) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.symbols import SOUGHT, Language, Mention, Symbol, language_of
+from deburr.symbols import SOUGHT, Language, Mention, Sort, Symbol, language_of
 from deburr_grammar.dialect import Bracket, Reading, Role
 
 if TYPE_CHECKING:
@@ -90,10 +90,15 @@ def regions_of(document: Document, symbol: Symbol) -> set[Region]:
     return found
 
 
-def all_symbols(document: Document) -> frozenset[Symbol]:
-    """All symbols that are looked for."""
+def all_symbols(document: Document, *sorts: Sort) -> frozenset[Symbol]:
+    """All symbols that are looked for, or those of some sorts: a program may have a label on each line, but calls few files."""
     index = _Index.of(document)
-    return frozenset() if index is None else document.gathered(index.key, index.symbols)
+    if index is None:
+        return frozenset()
+    if not sorts:
+        return document.gathered(index.key, index.symbols)
+    chosen = frozenset(sorts)
+    return document.gathered((index.key, chosen), lambda piece: _of_sorts(index.symbols(piece), chosen))
 
 
 class _Index:
@@ -137,6 +142,10 @@ class _Index:
             for index in (at for at, shape in enumerate(shapes, first) if shape in wanted) if wanted else ():
                 for mention in _of_line(piece.node(index), self._language, self._names):
                     yield index, mention
+
+
+def _of_sorts(symbols: frozenset[Symbol], sorts: frozenset[Sort]) -> frozenset[Symbol]:
+    return frozenset(symbol for symbol in symbols if symbol.sort in sorts)
 
 
 def _behind(state: Region, bracket: Bracket) -> Region:

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 
 from deburr.includes import Folder
 from deburr.symbols import Act, Mention, Offer, Sort, Symbol
-from deburr_grammar.dialect import Bracket, Role
-from deburr_grammar.dialects.metagcode.forms import groups
+from deburr_grammar.dialects.metagcode.forms import Group, groups
 from deburr_grammar.dialects.metagcode.forms import name as name_of
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token, walk
@@ -24,8 +23,11 @@ if TYPE_CHECKING:
 _PARTIAL = re.compile(r"#[A-Za-z]*$|[A-Za-z][^ \t|]*$")
 _SNIPPET = re.compile(r"(?i)[ \t]*#file[ \t]+")
 _MOST = 500
+SHARED = "shared with all snippets"
+SET = UNSET = "it comes from outside"
 NAMING = frozenset(("VARIABLE", "file"))
-_FAR = 20_000
+_DEEPEST = 40
+"""So many blocks around a line are looked at."""
 _KEYWORDS = {"IF", "ENDIF", "LOOP", "ENDLOOP", "FILE"}
 _TABLES = {"OPERATOR": "operator", "TYPE": "type", "MODE": "steptype"}
 
@@ -111,17 +113,38 @@ def valid(symbol: Symbol, name: str) -> str:
 
 def notes(document: Document, line: int, mention: Mention) -> Iterator[str]:
     """Of a variable inside a loop that counts it: how it is divided."""
-    if mention.symbol.sort is not Sort.VARIABLE:
-        return
-    for at, bracket in _loops_around(document, line):
-        node = document.node(at)
-        for header in node.find("header"):
-            for group in groups(header):
-                if name_of(node.text[group.counter.start : group.counter.end]) == mention.symbol.name:
-                    step, mode = (node.text[each.start : each.end] for each in (group.step, group.mode))
-                    how = "its sum so far" if mode[:1] in "cC" else "the step itself"
-                    yield f"in `{bracket.word}{bracket.label or ''}` (line {at + 1}): divided into equal steps of at most {step}, {how} in each pass"
-                    return
+    found = loops_around(document, line) if mention.symbol.sort is Sort.VARIABLE else ()
+    for at, counters in found:
+        for name, group in counters:
+            if name == mention.symbol.name:
+                node = document.node(at)
+                step, mode = (node.text[each.start : each.end] for each in (group.step, group.mode))
+                how = "their sum so far" if mode[:1] in "cC" else "the step itself"
+                yield f"divided by `{node.text.split()[0]}` in line {at + 1} into equal steps of at most {step}; holds {how} in each pass"
+                return
+
+
+def loops_around(document: Document, line: int) -> Iterator[tuple[int, list[tuple[str, Group]]]]:
+    """The heads of the loops around a line, innermost first, with what they count."""
+    place = (line, 0)
+    for _ in range(_DEEPEST):
+        found = document.around(*place)
+        if found is None:
+            return
+        at, bracket = found
+        if bracket.kind == "loop":
+            yield at, counted(document.node(at))
+        place = (at, bracket.span.start)
+
+
+def counted(head: LineNode) -> list[tuple[str, Group]]:
+    """What the head of a loop counts, if its form is right."""
+    return [
+        (name_of(head.text[group.counter.start : group.counter.end]), group)
+        for header in head.find("header")
+        for group in groups(header)
+        if group.counter.kind == "VARIABLE" and group.mode.kind == "MODE"
+    ]
 
 
 def meant(document: Document, line: int, mention: Mention) -> None:
@@ -158,20 +181,3 @@ def _choice(text: str, token: Token) -> Iterator[Mention]:
     span = Span(token.start, token.end)
     meant = said if token.kind == "OPERATOR" else {"a": "alpha", "n": "numeric"}.get(said[0], said[0])
     yield Mention(Symbol(Sort.KEYWORD, meant, table=_TABLES[token.kind]), Act.SAY, span, span)
-
-
-def _loops_around(document: Document, line: int) -> Iterator[tuple[int, Bracket]]:
-    """The loops that are open at a line, innermost first; looked for in the lines before it, not without end."""
-    depth = 0
-    first = max(0, line - _FAR)
-    found: list[tuple[int, Bracket]] = []
-    for number, bracket in document.brackets():
-        if number > line:
-            break
-        if number >= first and bracket.kind == "loop":
-            found.append((number, bracket))
-    for number, bracket in reversed(found):
-        depth += (bracket.role is Role.CLOSE) - (bracket.role is Role.OPEN)
-        if depth < 0:
-            depth = 0
-            yield number, bracket

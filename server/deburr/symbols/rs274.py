@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from deburr.symbols import Act, Mention, Offer, Sort, Symbol
+from deburr.symbols.index import all_symbols, mentions_of, region
 from deburr_grammar.codes import code_number
 from deburr_grammar.dialects.rs274.outline import label_of
 from deburr_grammar.text import Span
@@ -21,7 +22,11 @@ if TYPE_CHECKING:
 
 _BLANKS = re.compile(r"[ \t]+")
 _PARTIAL = re.compile(r"#?<[^<>]*$|#[0-9]*$|[Oo]<[^<>]*$|[A-Za-z_]+[0-9.]*$|[Oo][0-9]*$")
+SHARED = "shared by all subprograms"
+SET = "only a run tells"
+UNSET = "set nowhere here"
 NAMING = frozenset(("param", "o_line", "O", "NAME_USED", "NUMBER_USED"))
+_LISTED = 3
 _ARGUMENTS = 30
 """Parameters up to this number are a subprogram's own."""
 _SUBS = {"SUB": Act.DEFINE, "ENDSUB": Act.SAY, "RETURN": Act.SAY, "CALL": Act.CALL}
@@ -106,8 +111,35 @@ def valid(symbol: Symbol, name: str) -> str:
 
 
 def notes(document: Document, line: int, mention: Mention) -> Iterator[str]:
-    """Nothing more."""
-    yield from ()
+    """Of a subprogram's parameter: what the calls in the program give it."""
+    symbol, inside = mention.symbol, region(document, line) if mention.symbol.local else None
+    if symbol.sort is not Sort.VARIABLE or not symbol.name.isdigit() or inside is None or inside[1] is None:
+        return
+    given = list(_arguments(document, inside[1], int(symbol.name)))
+    more = f" and {len(given) - _LISTED} more" if len(given) > _LISTED else ""
+    if given:
+        yield f"given by calls: {', '.join(given[:_LISTED])}{more}"
+
+
+def _arguments(document: Document, sub: str, number: int) -> Iterator[str]:
+    """An argument of a subprogram in each call, as it is written there."""
+    for each in mentions_of(document, Symbol(Sort.SUB, sub)):
+        node = document.node(each.line)
+        o_line = next(node.find("o_line"), None) if each.mention.act is Act.CALL else None
+        if o_line is None:
+            continue
+        groups = [part for part in o_line.children if isinstance(part, Node) and part.kind == "group"]
+        group = groups[number - 1] if number <= len(groups) else None
+        said = f"`{node.text[group.start + 1 : group.end - 1].strip()}`" if group is not None else "nothing (0)"
+        yield f"{said} in line {each.line + 1}"
+
+
+def parameters(document: Document, sub: str) -> int:
+    """How many parameters a subprogram uses: the highest number up to 30 that it names."""
+    within = ("sub", sub)
+    named = (symbol for symbol in all_symbols(document, Sort.VARIABLE) if symbol.local and symbol.name.isdigit())
+    numbers = [int(symbol.name) for symbol in named if next(mentions_of(document, symbol, within), None) is not None]
+    return max(numbers, default=0)
 
 
 def meant(document: Document, line: int, mention: Mention) -> None:
@@ -173,7 +205,7 @@ def _word(text: str, word: Node) -> Iterator[Mention]:
         yield Mention(symbol, Act.SAY, span, span)
     else:
         only = Span(word.start, word.start + 1)
-        yield Mention(Symbol(Sort.WORD, letter, table="word"), Act.SAY, only, only)
+        yield Mention(Symbol(Sort.WORD, letter, table="word"), Act.SAY, only, only, passing=True)
 
 
 def _o_word(line: LineNode) -> Iterator[Mention]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from typing import TYPE_CHECKING
 
 from deburr.expand.z32 import stores
@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 _SEQUENCE = re.compile(r"(?i)(?:(?<=go[nps])|(?<=-n))[0-9]*$")
 _PARTIAL = re.compile(r"[A-Za-z]+[0-9]*$|[0-9]+$")
+SHARED = "shared with called programs"
+SET = "only a run tells"
+UNSET = "set nowhere here"
 NAMING = frozenset(
     (
         "nword",
@@ -49,15 +52,17 @@ def names(document: Document) -> None:
 
 def mentions(line: LineNode, names: object) -> Iterator[Mention]:
     """Parameters, numbers of blocks, sections and programs, files, codes, functions, keywords."""
+    # A parameter that stands first in a word or an assignment is set by it.
+    targets = {part.start for part in walk(line.tree) if part.kind in ("word", "assign")}
     for part in walk(line.tree):
         if isinstance(part, Token):
-            yield from _token(line.text, part)
+            yield from _token(line.text, part, targets)
             continue
         yield from _numbers(line.text, part)
         if part.kind in ("g_word", "axis_alias"):
             yield from _code(line.text, part)
         elif part.kind == "vector":
-            yield from _vector(line.text, part)
+            yield from _vector(line.text, part, targets)
         elif part.kind == "word" and part.children[0].kind == "M_END":
             yield from _code(line.text, part)
 
@@ -167,12 +172,12 @@ def _canonical(number: str) -> str:
     return (whole.lstrip("0") or "0") + (f".{fraction}" if fraction else "")
 
 
-def _token(text: str, token: Token) -> Iterator[Mention]:
+def _token(text: str, token: Token, targets: Container[int]) -> Iterator[Mention]:
     span = Span(token.start, token.end)
     said = text[token.start : token.end]
     if token.kind in _PARAMETERS:
         symbol = Symbol(Sort.VARIABLE, said.upper(), table="variable")
-        act = _act(text, token)
+        act = Act.SET if token.start in targets else Act.READ
         # An address with a number is a move; a parameter of two letters is one wherever it stands.
         yield Mention(symbol, act, span, span, passing=act is Act.SET and len(said) == 1 and not _assigned(text, token))
     elif token.kind in ("FUNCTION", "PI"):
@@ -187,14 +192,6 @@ def _token(text: str, token: Token) -> Iterator[Mention]:
         yield Mention(Symbol(Sort.KEYWORD, "L254", table="keyword"), Act.SAY, span, span)
     elif token.kind == "PATH":
         yield Mention(Symbol(Sort.FILE, said), Act.CALL, span, span)
-
-
-def _act(text: str, token: Token) -> Act:
-    """A parameter with a value behind it is set: `HA10`, `HA<...>`, `HA=10`."""
-    rest = text[token.end :].lstrip(" \t")
-    before = text[: token.start].rstrip(" \t")
-    is_word = not before or before[-1] not in "<+-*/(=["
-    return Act.SET if is_word and re.match(r"=|[-+]?[0-9.,]|<(?!=)|&lt", rest) else Act.READ
 
 
 def _alias(document: Document, line: int, name: str) -> tuple[int, str, str] | None:
@@ -220,13 +217,15 @@ def _code(text: str, node: Node) -> Iterator[Mention]:
     yield Mention(Symbol(Sort.CODE, name, table="code"), Act.SAY, span, span)
 
 
-def _vector(text: str, node: Node) -> Iterator[Mention]:
+def _vector(text: str, node: Node, targets: Container[int]) -> Iterator[Mention]:
     index = node.children[2] if len(node.children) > 2 else None
+    act = Act.SET if node.start in targets else Act.READ
+    kind = text[node.start : node.start + 3].upper()
     if index is None or index.kind != "NUMBER":
+        # Which one it is only the run knows.
+        span = Span(node.start, node.start + 3)
+        yield Mention(Symbol(Sort.VARIABLE, "", table=kind), act, span, span)
         return
-    name = f"{text[node.start : node.start + 3].upper()}[{_canonical(text[index.start : index.end])}]"
-    rest = text[node.end :].lstrip(" \t")
-    act = Act.SET if rest.startswith("=") else Act.READ
-    yield Mention(
-        Symbol(Sort.VARIABLE, name, table="variable"), act, Span(node.start, node.end), Span(index.start, index.end)
-    )
+    name = f"{kind}[{_canonical(text[index.start : index.end])}]"
+    inner = Span(index.start, index.end)
+    yield Mention(Symbol(Sort.VARIABLE, name, table="variable"), act, Span(node.start, node.end), inner)

@@ -1,0 +1,161 @@
+"""What a name holds at a place, where that is certain: the one seam through which hover, hints and lenses learn values. Never runs a program.
+
+A constant is known where its assignment is always run last before the place: it stands above in the
+same block or in one around it, and nothing between them can set the name, come in from elsewhere or leave
+for a program that may set it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+from deburr.symbols import Act, Sort, Symbol, entry_of, language_of
+from deburr.symbols.constants import Constants, Value, constants_of
+from deburr.symbols.index import Placed, Region, all_symbols, mentions_of, on_line, region
+from deburr_grammar.dialect import Bracket, Role
+
+if TYPE_CHECKING:
+    from deburr.ide.view import View
+    from deburr_grammar.document import Document
+
+_DEEPEST = 250
+_FARTHEST = 20_000
+"""So many lines between an assignment and a place are looked through."""
+_LEAVING = (Sort.SUB, Sort.SECTION, Sort.FILE)
+_MOST = 1_000
+"""A name that is named more often than this has no known value."""
+
+Opener = tuple[int, Bracket]
+
+
+def known(view: View, placed: Placed) -> Value | None:
+    """What a name holds at a place; behind its own assignment what that gives it. None: it is not known."""
+    symbol = placed.mention.symbol
+    constants = constants_of(view.dialect.name)
+    document, line = view.document, placed.line
+    # Where blocks do not fit, what is run after what is a guess.
+    if constants is None or symbol.sort is not Sort.VARIABLE or not symbol.name or document.faults:
+        return None
+    total = constants.given(symbol, view.file, view.ruleset.settings, view.host)
+    found = constants.counted(document, line, symbol, total, partial(held, view))
+    return found or (None if total is not None else _assigned(view, placed, constants))
+
+
+def held(view: View, line: int, written: str) -> Value | None:
+    """What a name that is written on a line holds before that line's block."""
+    language = language_of(view.dialect.name)
+    for each in on_line(view.document, line):
+        symbol = each.symbol
+        if language is not None and symbol.sort is Sort.VARIABLE and written in (symbol.name, language.written(symbol)):
+            where = region(view.document, line) if symbol.local else None
+            return _before(view, Placed(line, each._replace(act=Act.READ), where))
+    return None
+
+
+def _before(view: View, placed: Placed) -> Value | None:
+    """What a name holds where a loop begins: what this loop counts is not counted yet."""
+    constants = constants_of(view.dialect.name)
+    assert constants is not None
+    symbol, settings = placed.mention.symbol, view.ruleset.settings
+    total = constants.given(symbol, view.file, settings, view.host)
+    if total is None:
+        return _assigned(view, placed, constants)
+    return constants.counted(view.document, placed.line, symbol, total, lambda *_: None)
+
+
+def _assigned(view: View, placed: Placed, constants: Constants) -> Value | None:
+    """The constant that was assigned last before a place."""
+    document, symbol, line = view.document, placed.mention.symbol, placed.line
+    entry = entry_of(symbol, view.dialect.codes)
+    if entry is not None and (entry.more.get("access") == "read" or entry.more.get("known") != "program"):
+        return None
+    sets = list(_sets(document, symbol, placed.region, "" if entry is None else str(entry.more.get("prefix", ""))))
+    if len(sets) > _MOST:
+        return None
+    if placed.mention.act is Act.SET:
+        text = constants.assigned(document, line, placed.mention, view.ruleset.settings)
+        return None if text is None else Value(text, "set here")
+    last = max((each for each in sets if each.line < line), key=lambda each: each.line, default=None)
+    if last is None or not last.mention.symbol.name or not _runs_before(document, last, placed, sets):
+        return None
+    if (constants.disturbed(document, last.line + 1, line)) or (
+        not symbol.local and _leaves(document, last.line, line)
+    ):
+        return None
+    text = constants.assigned(document, last.line, last.mention, view.ruleset.settings)
+    return None if text is None else Value(text, f"line {last.line + 1}")
+
+
+def _sets(document: Document, symbol: Symbol, where: Region, prefix: str) -> Iterator[Placed]:
+    """The places that set a name, and those that may because only the run knows which name they set."""
+    for each, within in ((symbol, where), (Symbol(Sort.VARIABLE, "", table=prefix), None)):
+        for placed in mentions_of(document, each, within):
+            if placed.mention.act is Act.SET:
+                yield placed
+
+
+def _runs_before(document: Document, last: Placed, placed: Placed, sets: list[Placed]) -> bool:
+    """Whether an assignment is always the last one that is run before a place."""
+    if placed.line - last.line > _FARTHEST or last.mention.symbol.local and last.region != placed.region:
+        return False
+    if region(document, last.line) != region(document, placed.line):
+        return False
+    own = list(_around(document, last))
+    mine = list(_around(document, placed))
+    if own and own[0] not in mine:
+        return False
+    deeper = mine[: mine.index(own[0])] if own else mine
+    end = placed.line
+    if deeper:
+        # A block may be run again: what it sets behind the place is set before it then.
+        closer = document.partner(*deeper[-1])
+        if closer is None:
+            return False
+        end = closer[0]
+    if any(each is not last and last.line <= each.line <= end for each in sets):
+        return False
+    return not own or not _turns(document, last.line, placed.line)
+
+
+def _around(document: Document, placed: Placed) -> Iterator[Opener]:
+    """The openers of the blocks around a place, innermost first."""
+    found = document.around(placed.line, placed.mention.span.start)
+    for _ in range(_DEEPEST):
+        if found is None:
+            return
+        yield found
+        found = document.around(found[0], found[1].span.start)
+
+
+def _turns(document: Document, first: int, last: int) -> bool:
+    """Whether another branch of the block around a line begins before another one."""
+    depth = 0
+    for _, bracket in _brackets(document, first, last):
+        depth += (bracket.role is Role.OPEN) - (bracket.role is Role.CLOSE)
+        if bracket.role is Role.MIDDLE and not depth:
+            return True
+    return False
+
+
+def _brackets(document: Document, first: int, last: int) -> Iterator[Opener]:
+    """The brackets behind a line, up to another one."""
+    line = first
+    while line <= last:
+        piece = document.piece(line)
+        yield from (
+            (piece.line + index, bracket)
+            for index, bracket in piece.outlined.brackets
+            if first < piece.line + index <= last
+        )
+        line = max(line + 1, piece.line + piece.chunk.eols)
+
+
+def _leaves(document: Document, first: int, last: int) -> bool:
+    """Whether something is called between two lines that may set what all programs share."""
+    return any(
+        placed.mention.act is Act.CALL and first <= placed.line <= last
+        for symbol in all_symbols(document, *_LEAVING)
+        for placed in mentions_of(document, symbol)
+    )
