@@ -52,6 +52,8 @@ class Fault(NamedTuple):
     stack: Frame | None = None
     input: bool = False
     """Whether only something that was not given can decide at this place; of some rules that holds everywhere, `Rule.input`."""
+    given: str = ""
+    """The value that was given for the run, `NAME=VALUE`, if the fault lies in it: then no place in a program is wrong."""
 
 
 class Halt(Exception):

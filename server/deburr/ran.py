@@ -31,19 +31,26 @@ _SAID = {
 }
 
 
+class Misgiven(Exception):
+    """A value that was given for a run cannot be used: nothing was run, and no program is at fault."""
+
+
 def ran(analysis: Analysis, inputs: Inputs | None = None, blocks: int = BLOCKS) -> list[Finding]:
     """The findings of a run with these inputs, or else those of the analysis. What a machine, an operator or a missing input would decide ends it in silence, and so does the bound."""
     return [found for found in running(analysis, inputs, blocks) if found is not None]
 
 
 def running(analysis: Analysis, inputs: Inputs | None = None, blocks: int = BLOCKS) -> Iterator[Finding | None]:
-    """The same as work that can be left wherever it yields None."""
+    """The same as work that can be left wherever it yields None; `Misgiven` if a value of the inputs is unusable."""
     module = interpreter(analysis.dialect.name)
     if module is None or not module.worth_running(analysis.document):
         return
     program = Program(analysis.file, analysis.document)
     job = Job((program,), analysis.ruleset, analysis.host, _Nowhere(), inputs or analysis.inputs, Budget(blocks, 0))
     yield from drive(job)
+    for fault in job.faults:
+        if fault.given:
+            raise Misgiven(fault.message)
     for fault in job.faults[:-1] if job.cut else job.faults:
         yield from _reported(fault, analysis)
 

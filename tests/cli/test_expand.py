@@ -75,7 +75,7 @@ def test_values_are_given_by_name(shell):
     assert shell.run("expand", "p.ngc", "-D", "5=1.25", "-D", "_depth=-3").out == "G0 X1.25 Y-3\nM2\n"
     assert shell.run("expand", "p.ngc", "-D", "5").code == 2
     ran = shell.run("expand", "p.ngc", "-D", "_depth=deep", "-D", "5=1")
-    assert ran.code == 1 and "the value is no number" in ran.err
+    assert ran == (2, "", "deburr: error: -D _depth=deep: the value is no number\n")
 
 
 @pytest.mark.parametrize(
@@ -187,6 +187,34 @@ def test_check_says_nothing_of_what_only_the_machine_knows(shell):
     shell.write("p.ngc", "G0 X[1 / #5061]\n/#1=5\nM2\n")
     assert shell.run("check", "p.ngc").code == 0
     assert shell.run("expand", "p.ngc").code == 1
+
+
+@pytest.mark.parametrize(
+    ("name", "program", "given", "said"),
+    [
+        ("p.ngc", "G0 X#1\nM2\n", "1=x", "-D 1=x: the value is no number"),
+        ("p.mgc", "G0 X|a|\n", "a=1|2", "-D a=...: the value has a bar in it"),
+        ("p.z32", "X<HA>\nM30\n", "HA=", "-D HA=: `` is no number"),
+        ("p.cgt", "@START\n#V1\n@\n@END\n@\n", "V1=a", "-D V1=a: `#V1` takes a number"),
+    ],
+)
+def test_a_value_that_cannot_be_used_is_an_error_of_usage(shell, name, program, given, said):
+    shell.write(name, program)
+    shell.write("t.jsonl", "")
+    toolpath = ["--input", "t.jsonl"] if name == "p.cgt" else []
+    for command in ("expand", "check"):
+        ran = shell.run(command, name, *toolpath, "-D", given)
+        assert (ran.code, ran.out) == (2, "")
+        assert ran.err.startswith(f"deburr: error: {said}") and ran.err.count("\n") == 1
+
+
+def test_a_value_may_be_meant_for_another_language(shell):
+    shell.write("p.z32", "X<1/HA>\nM30\n")
+    shell.write("q.mgc", "#LOOP1 |Depth| 2 c\nG1 Z|Depth|\n#ENDLOOP1\n")
+    assert shell.run("check", "-D", "Depth=4").code == 0
+    assert shell.run("check", "p.z32", "-D", "Depth=4").code == 2
+    ran = shell.run("check", "-D", "Depth=0", "-D", "HA=0")
+    assert "metagcode.loop-zero" in ran.out
 
 
 def test_check_is_given_values_too(shell):

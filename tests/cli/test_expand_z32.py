@@ -45,8 +45,8 @@ def test_a_value_that_was_not_given_is_refused_by_expand_and_passed_over_by_chec
 def test_a_value_that_cannot_be_given_is_said(shell, option, words):
     shell.write("a.z32", PROGRAM)
     ran = shell.run("expand", "a.z32", "-D", "HB=3", "-D", option)
-    assert (ran.code, ran.out) == (1, "")
-    assert words in ran.err
+    assert (ran.code, ran.out) == (2, "")
+    assert ran.err.startswith(f"deburr: error: -D {option}: ") and words in ran.err
 
 
 def test_only_the_form_of_lines_that_never_run_is_judged(shell):

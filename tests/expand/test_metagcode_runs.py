@@ -8,7 +8,7 @@ import pytest
 from deburr.analysis import Analysis
 from deburr.expand import Budget, Inputs, Job, Program, drive, expand
 from deburr.host import Host, NoFiles
-from deburr.ran import ran
+from deburr.ran import Misgiven, ran
 from deburr.ruleset import RuleSet
 from deburr_grammar.document import Document
 from support.metagcode import DIALECT, RULES, expanded, flat
@@ -46,9 +46,6 @@ RUN_TIME = [
     ("limit", 1, "7-10", f"#LOOP1 |z| .001 c\n{USE}", {"z": "1000000000"}),
     ("alpha-case", 1, "5-24", "#IF1 |m| equalto   Steel a\n#ENDIF1", {"m": "steel"}),
     ("alpha-number", 1, "5-23", "#IF1 |t| greaterthan 10 a\n#ENDIF1", {"t": "9"}),
-    ("value-has-bar", 2, "4-7", "G0 X0\n(no |a|)", {"a": "1|2"}),
-    ("value-has-bar", 1, "0-5", "G0 X0\n(no |b|)", {"a": "1|2", "b": "3"}),
-    ("value-has-line-end", 2, "4-7", "G0 X0\n(no |a|)", {"a": "1\r2"}),
 ]
 
 
@@ -57,6 +54,16 @@ def test_each_trigger_that_a_run_decides_gives_its_rule_and_no_other(
     rule: str, line: int, cols: str, program: str, define: Mapping[str, str]
 ) -> None:
     assert found(program, define=define) == [f"{rule} main.mgc {line} {cols}"]
+
+
+@pytest.mark.parametrize(
+    ("define", "said"),
+    [({"a": "1|2"}, "has a bar in it"), ({"b": "3", "a": "|"}, "has a bar"), ({"a": "1\r2"}, "has a line end in it")],
+)
+def test_a_value_that_no_program_can_use_is_no_fault_of_a_program(define: Mapping[str, str], said: str) -> None:
+    for program in ("G0 X0\n(no |a|)", "G0 X0\n(|b|)"):
+        with pytest.raises(Misgiven, match=f"^-D a=...: the value {said}"):
+            found(program, define=define)
 
 
 def test_limits_are_the_last_legal_values() -> None:

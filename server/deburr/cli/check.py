@@ -108,6 +108,8 @@ def run(arguments: argparse.Namespace) -> int:
         result = Result(tuple(outcomes(Checker(configs, options), found, _processes(arguments.jobs, found))))
     except ConfigError as error:
         return unable(error.messages)
+    if wrong := result.misgiven:
+        return unable([wrong])
     if not found:
         complain("no programs found under the given paths", "warning")
     _say(result.outcomes, arguments.verbose)

@@ -66,6 +66,8 @@ def run(arguments: argparse.Namespace) -> int:
             if others:
                 return _compared(flat, flat_of(others, terms, other_lines))
             return flat.written(arguments.output, arguments.source_map)
+    except ConfigError as error:
+        return unable(error.messages)
     except OSError as error:
         if isinstance(error, BrokenPipeError):
             raise

@@ -186,6 +186,8 @@ def _run(flat: Flat) -> Iterator[Finding]:
     flat.whole = not job.halted
     documents = {each.file: each for each in flat.programs}
     for fault in job.faults:
+        if fault.given:
+            raise ConfigError(fault.message)
         program = documents.get(fault.file)
         lines = program.source.lines if program else (first.host.read(fault.file) or "").split("\n")
         finding = worded(fault, first.ruleset, lines[fault.line] if fault.line < len(lines) else "")

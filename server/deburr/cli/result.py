@@ -43,6 +43,13 @@ class Result:
         """The lines that reports show, by file and line."""
         return {place: text for outcome in self.outcomes for place, text in outcome.texts}
 
+    @property
+    def misgiven(self) -> str:
+        """What is wrong with a value that was given for the runs; nothing if it may be meant for another of the languages."""
+        wrong = next((outcome for outcome in self.outcomes if outcome.misgiven), None)
+        others = {outcome.dialect for outcome in self.outcomes if wrong is not None and outcome.dialect}
+        return wrong.misgiven if wrong is not None and others == {wrong.dialect} else ""
+
     def statistics(self) -> list[Row]:
         """How often each rule spoke: the most frequent first."""
         from deburr.rule import rules_of

@@ -34,6 +34,8 @@ class Outcome(NamedTuple):
     failure: str = ""
     origin: str = ""
     texts: tuple[tuple[tuple[str, int], str], ...] = ()
+    misgiven: str = ""
+    """What is wrong with a value that was given for the run; then nothing was run."""
 
 
 class Options(NamedTuple):
@@ -81,18 +83,31 @@ class Checker:
         self._configs.require(config, dialect)
         host: Host = self._disk if name else NoFiles()
         ruleset = self._rulesets.of(dialect, config, name or file)
-        run = _ran if config.runs else None
-        findings = check(found, dialect, ruleset, file, host, run, self._options.inputs)
+        run = _Runs()
+        findings = check(found, dialect, ruleset, file, host, run if config.runs else None, self._options.inputs)
         shown = texts(findings, file, found, host) if self._options.texts and findings else ()
         fails = any(finding.severity >= config.fail_on for finding in findings)
-        return Outcome(file, dialect.name, answer.reason, tuple(findings), fails, "", config.origin, shown)
+        return Outcome(
+            file, dialect.name, answer.reason, tuple(findings), fails, "", config.origin, shown, run.misgiven
+        )
 
 
-def _ran(analysis: Analysis) -> list[Finding]:
-    # Only programs without an error pay for the interpreters.
-    from deburr.ran import ran
+class _Runs:
+    """Runs a program. ``misgiven``: what is wrong with a value that was given for it."""
 
-    return ran(analysis)
+    def __init__(self) -> None:
+        self.misgiven = ""
+
+    def __call__(self, analysis: Analysis) -> list[Finding]:
+        """What a run meets."""
+        # Only programs without an error pay for the interpreters.
+        from deburr.ran import Misgiven, ran
+
+        try:
+            return ran(analysis)
+        except Misgiven as wrong:
+            self.misgiven = str(wrong)
+            return []
 
 
 def hints(asked: str | None, file: str, config: Config) -> Hints:

@@ -102,6 +102,11 @@ class Job:
         self.steps += found
         return found
 
+    def unusable(self, kind: str, given: str, message: str) -> Halt:
+        """The end of a run before its first line: a value that was given for it, `NAME=VALUE`, cannot be used."""
+        said = f"-D {given}: {message}"
+        return Halt(Fault(kind, self.programs[0].file, 0, Span(0, 0), said, given=given))
+
     def meet(self, fault: Fault) -> None:
         """Report something that does not stop the run; the same at the same place is reported once."""
         key = (fault.kind, fault.file, fault.line, fault.span)

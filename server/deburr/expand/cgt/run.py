@@ -155,22 +155,19 @@ class Run:
         for name, said in self._template.given.items():
             if is_job(name):
                 continue
-            cell = self._words.find(name)
+            cell, given, unusable = self._words.find(name), f"{name}={said}", self._job.unusable
             if cell is None or not (cell.settable or cell.type == "text"):
-                raise self._unusable("eval-target", f"-D {name}={said}: `#{name}` cannot be set")
+                raise unusable("eval-target", given, f"`#{name}` cannot be set")
             if len(split_lines(said)) > 1:
-                raise self._unusable("eval-type", f"-D {name}: the value holds a line break")
+                raise unusable("eval-type", f"{name}=...", "the value holds a line break")
             if cell.is_text:
                 if cell.type == "string" and len(said) > LONGEST:
-                    raise self._unusable("string-length", f"-D {name}: a word holds {LONGEST} characters")
+                    raise unusable("string-length", f"{name}=...", f"a word holds {LONGEST} characters")
                 cell.set(said)
             elif is_number(said):
                 cell.set(float(said))
             else:
-                raise self._unusable("eval-type", f"-D {name}={said}: `#{name}` takes a number")
-
-    def _unusable(self, kind: str, message: str) -> Halt:
-        return Halt(Fault(kind, self._file, 0, Span(0, 0), message))
+                raise unusable("eval-type", given, f"`#{name}` takes a number")
 
 
 def _machine_of(job: Job) -> Machine:

@@ -16,28 +16,39 @@ from deburr_grammar.text import Span
 if TYPE_CHECKING:
     from deburr.expand.job import Job
 
-_BAR = re.compile(r"\|")
-_LINE_END = re.compile(r"[\r\n]")
+_IMPROPER = (
+    (
+        "value-has-bar",
+        re.compile(r"\|"),
+        "has a bar in it, and values are not filled in again; write it without bars",
+    ),
+    (
+        "value-has-line-end",
+        re.compile(r"[\r\n]"),
+        "has a line end in it, which would make two blocks of one; write it on one line",
+    ),
+)
+"""What no value may hold: the rule, the sign, the words."""
 
 
 class _Given(NamedTuple):
-    """A value as it was defined, and where: for words about it."""
+    """A value as it was defined, and the file in which; none if it was given by its name."""
 
     name: str
     text: str
-    source: str
+    file: str = ""
 
 
 def values_of(job: Job) -> tuple[dict[str, str], list[Fault]]:
     """The values by their names, and what is wrong with them or with their file."""
     setting = str(job.settings["variables"])
-    given = [_Given(name.strip(" \t"), text, f"`-D {name}=`") for name, text in job.inputs.define.items()]
+    given = [_Given(name.strip(" \t"), text) for name, text in job.inputs.define.items()]
     faults: list[Fault] = []
     if setting and not isinstance(job.host, NoFiles):
         path = beside(job.programs[0].file, setting)
         text = job.host.read(path)
         read = Values({}, (), False) if text is None else read_values(text, path)
-        given[:0] = [_Given(name, value.text, f"`{path}`") for name, value in read.known.items()]
+        given[:0] = [_Given(name, value.text, path) for name, value in read.known.items()]
         faults = [_unread(job, path)] if text is None else [_broken(path, defect) for defect in read.defects]
     faults += [fault for each in given for fault in _improper(job, each)]
     return {each.name: each.text for each in given}, faults
@@ -55,13 +66,14 @@ def _broken(path: str, defect: Defect) -> Fault:
 
 def _improper(job: Job, given: _Given) -> Iterator[Fault]:
     """What no value may hold, whether it is used or not."""
-    said = f"the value of `|{given.name}|`, from {given.source},"
-    if _BAR.search(given.text):
-        message = f"{said} has a bar in it, and values are not filled in again; write it without bars"
-        yield Fault("value-has-bar", *_first_use(job, given.name), message)
-    if _LINE_END.search(given.text):
-        message = f"{said} has a line end in it, which would make two blocks of one; write it on one line"
-        yield Fault("value-has-line-end", *_first_use(job, given.name), message)
+    for kind, pattern, wrong in _IMPROPER:
+        if not pattern.search(given.text):
+            continue
+        if given.file:
+            message = f"the value of `|{given.name}|`, from `{given.file}`, {wrong}"
+            yield Fault(kind, *_first_use(job, given.name), message)
+        else:
+            yield job.unusable(kind, f"{given.name}=...", f"the value {wrong}").fault
 
 
 def _first_use(job: Job, name: str) -> tuple[str, int, Span]:

@@ -5,9 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.unit import Unit
-from deburr.fault import Fault, Halt
 from deburr_grammar.document import Document
-from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -50,15 +48,12 @@ def _define(state: State, name: str, said: str) -> None:
     try:
         value = float(said)
     except ValueError:
-        raise _unusable(state, f"`{name}={said}`: the value is no number") from None
+        raise state.job.unusable("param-range", f"{name}={said}", "the value is no number") from None
     plain = name.strip("<>").lower()
     if plain.isascii() and plain.isdigit():
         if not 1 <= int(plain) <= state.last:
-            raise _unusable(state, f"`{name}={said}`: parameters go from 1 to {state.last}")
+            message = f"parameters go from 1 to {state.last}"
+            raise state.job.unusable("param-range", f"{name}={said}", message)
         state.params[int(plain)] = value
     else:
         (state.globals if plain.startswith("_") else state.locals)[plain] = value
-
-
-def _unusable(state: State, message: str) -> Halt:
-    return Halt(Fault("param-range", state.job.programs[0].file, 0, Span(0, 0), message))

@@ -6,17 +6,15 @@ import re
 from typing import TYPE_CHECKING
 
 from deburr.expand.z32.blocks import optional, undecided
-from deburr.expand.z32.state import LAST, Place
+from deburr.expand.z32.state import LAST
 from deburr_grammar.dialects.z32.forms import number
 from deburr_grammar.dialects.z32.outline import PROGRAM
 from deburr_grammar.line import LineNode
-from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from deburr.expand.z32.state import State
-    from deburr.fault import Halt
 
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)")
 _NAME = re.compile(r"[A-Z][A-Z]?")
@@ -67,23 +65,19 @@ def _configure(state: State, node: LineNode) -> None:
 
 def _define(state: State, name: str, value: str, said: str) -> None:
     if not _NUMBER.fullmatch(value):
-        raise _unusable(state, "number-format", f"`{said}`: `{value}` is no number")
+        raise state.job.unusable("number-format", said, f"`{value}` is no number")
     vector = _VECTOR.fullmatch(name)
     if vector is None:
         if not _NAME.fullmatch(name) or name in _NO_NAMES:
-            raise _unusable(state, "parameter-reserved", f"`{said}`: `{name}` is no parameter")
+            raise state.job.unusable("parameter-reserved", said, f"`{name}` is no parameter")
         state.params[name] = number(value)
         return
     at, given = int(vector[2]), number(value)
     if at > LAST:
-        raise _unusable(state, "index-range", f"`{said}`: the index goes from 0 to {LAST}")
+        raise state.job.unusable("index-range", said, f"the index goes from 0 to {LAST}")
     if vector[1] == "R":
         state.par[at] = given
     elif given.is_integer():
         state.pal[at] = given
     else:
-        raise _unusable(state, "number-format", f"`{said}`: PAL holds integers")
-
-
-def _unusable(state: State, kind: str, message: str) -> Halt:
-    return state.fault(kind, Place(state.main.file, 0, Span(0, 0)), message)
+        raise state.job.unusable("number-format", said, "PAL holds integers")
