@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from deburr.finding import Severity
 from deburr.rule import Rule
 from deburr.ruleset import RuleSet
-from deburr.schema import CHECK
+from deburr.schema import CHECK, HINTS, LENSES
 from deburr.selection import Selection, selected
 from deburr_grammar.dialect import Dialect, Setting
 
@@ -90,6 +90,11 @@ class Config:
         """Whether what a bounded run meets is reported, too."""
         setting = next(each for each in CHECK if each.name == "run")
         return bool(self.get("check", setting).value)
+
+    def shows(self, table: str, kind: str) -> bool:
+        """Whether an editor is to show hints or lenses of a kind."""
+        setting = next(each for each in (*HINTS, *LENSES) if each.name == kind)
+        return bool(self.get(f"editor.{table}", setting).value)
 
     def dialect_of(self, file: str) -> tuple[str, Glob] | None:
         """What `[files]` says of a file, with the pattern that says it: the first that matches."""

@@ -150,13 +150,14 @@ def _config(data: Mapping[str, Any], path: str) -> Config:
 
 def _values(data: Mapping[str, Any], path: str) -> Iterator[tuple[str, Value]]:
     """The settings of the fixed and the dialects' tables, paths made absolute."""
-    for (name, *rest), schema in tables().items():
-        if rest or isinstance(schema, Free):
-            continue
-        given = data.get(name, {})
-        for setting in schema:
+    for names, schema in tables().items():
+        given: Any = data
+        for name in names:
+            given = given.get(name, {})
+        for setting in schema if not isinstance(schema, Free) else ():
             if setting.name in given:
-                yield f"{name}.{setting.name}", Value(_useful(setting, given[setting.name], path), path)
+                key = ".".join((*names, setting.name))
+                yield key, Value(_useful(setting, given[setting.name], path), path)
 
 
 def _useful(setting: Setting, value: Any, path: str) -> Any:

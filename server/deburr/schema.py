@@ -20,6 +20,18 @@ CHECK = (
     Setting("run", Kind.FLAG, True, "also report what a bounded run of the program meets"),
 )
 
+HINTS = (
+    Setting("passes", Kind.FLAG, True, "how often a loop goes round, and its step"),
+    Setting("values", Kind.FLAG, True, "what a variable or a constant expression comes to"),
+    Setting("rows", Kind.FLAG, True, "the row of a table that a number means"),
+    Setting("alias", Kind.FLAG, True, "the axis for which an alias stands"),
+)
+LENSES = (
+    Setting("expand", Kind.FLAG, True, "the way to the flat program"),
+    Setting("references", Kind.FLAG, True, "how often a subprogram or section is called"),
+    Setting("passes", Kind.FLAG, True, "how often a loop goes round"),
+)
+
 
 def _limit(axis: str, limit: Any) -> str:
     if not re.fullmatch("[A-Z]", axis):
@@ -56,7 +68,8 @@ def tables() -> dict[Path, tuple[Setting, ...] | Free]:
         ("check", "per-file-ignores"): Free("rules or prefixes that are off for the files of a pattern", _ignores),
     }
     found |= {(name,): by_name(name).settings for name in NAMES}
-    return found | {("machine",): MACHINE}
+    editor = {("editor",): (), ("editor", "inlay-hints"): HINTS, ("editor", "code-lens"): LENSES}
+    return found | {("machine",): MACHINE} | editor
 
 
 def faults(data: Mapping[str, Any]) -> Iterator[Fault]:

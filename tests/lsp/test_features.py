@@ -80,9 +80,14 @@ def test_what_is_offered_is_there_and_the_other_way_round() -> None:
             types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA,
         },
         "documentLinkProvider": {types.TEXT_DOCUMENT_DOCUMENT_LINK},
-        "codeLensProvider": {types.TEXT_DOCUMENT_CODE_LENS},
+        "codeLensProvider": {types.TEXT_DOCUMENT_CODE_LENS, types.CODE_LENS_RESOLVE},
         "inlayHintProvider": {types.TEXT_DOCUMENT_INLAY_HINT},
         "linkedEditingRangeProvider": {types.TEXT_DOCUMENT_LINKED_EDITING_RANGE},
+        "callHierarchyProvider": {
+            types.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY,
+            types.CALL_HIERARCHY_INCOMING_CALLS,
+            types.CALL_HIERARCHY_OUTGOING_CALLS,
+        },
         "executeCommandProvider": {types.WORKSPACE_EXECUTE_COMMAND},
     }
     assert {name for name in offered if name.endswith("Provider")} == set(by_provider)

@@ -27,25 +27,98 @@ def test_names_of_files_are_links(tmp_path: Path) -> None:
         assert link["range"] == {"start": {"line": 1, "character": 6}, "end": {"line": 1, "character": 10}}
 
 
-@pytest.mark.parametrize(
-    ("settings", "titles"),
-    [({}, ["Expand", "2 calls"]), ({"editor": {"code-lens": False}}, []), ({"editor": {"code-lens": {"expand": False}}}, ["2 calls"])],
-)  # fmt: skip
-def test_lenses(settings: dict[str, Any], titles: list[str]) -> None:
-    with Inside(initializationOptions=settings) as inside:
-        inside.open("untitled:x", "o<s> sub\no<s> endsub\no<s> call\no<s> call\nM2\n", "rs274")
-        assert [each["command"]["title"] for each in ask(inside, "codeLens")] == titles
+LENSED = "o<s> sub\no<s> endsub\no<s> call\no<s> call\no1 repeat [2*3]\no1 endrepeat\nM2\n"
 
 
 @pytest.mark.parametrize(
-    ("settings", "labels"), [({}, ["=Y", "=Z"]), ({"editor": {"inlay-hints": {"alias": False}}}, [])]
+    ("off", "titles"),
+    [
+        ({}, ["Expand", "2 references", "6 passes"]),
+        ({"expand": False}, ["2 references", "6 passes"]),
+        ({"references": False}, ["Expand", "6 passes"]),
+        ({"passes": False}, ["Expand", "2 references"]),
+    ],
 )
-def test_hints(settings: dict[str, Any], labels: list[str]) -> None:
-    with Inside(initializationOptions=settings) as inside:
-        inside.open("untitled:x", "(P)\nAA1\nG25YZX\nAA1 AB2\nM30\n", "z32")
-        found = ask(inside, "inlayHint", range=ALL)
+def test_lenses(off: dict[str, bool], titles: list[str]) -> None:
+    with Inside(initializationOptions={"editor": {"code-lens": off}}) as inside:
+        inside.open("untitled:x", LENSED, "rs274")
+        found = [inside.request("codeLens/resolve", each) for each in ask(inside, "codeLens")]
+        assert [each["command"]["title"] for each in found] == titles
+
+
+def test_a_lens_counts_when_it_is_seen_and_shows_where_if_the_client_can() -> None:
+    with Inside({"experimental": {"commands": {"commands": ["deburr.showReferences"]}}}) as inside:
+        inside.open("untitled:x", LENSED, "rs274")
+        (lens,) = (each for each in ask(inside, "codeLens") if "command" not in each)
+        command = inside.request("codeLens/resolve", lens)["command"]
+        uri, position, places = command["arguments"]
+        assert (command["command"], uri, position) == (
+            "deburr.showReferences",
+            "untitled:x",
+            {"line": 0, "character": 2},
+        )
+        assert [each["range"]["start"]["line"] for each in places] == [2, 3]
+        assert inside.request("codeLens/resolve", {**lens, "data": 7}) == {**lens, "data": 7}
+
+
+@pytest.mark.parametrize(
+    ("off", "labels"),
+    [
+        ([], ["4 passes", "=6", "=Y", "=Z", "=G02"]),
+        (["alias"], ["4 passes", "=6", "=G02"]),
+        (["values"], ["4 passes", "=Y", "=Z", "=G02"]),
+        (["passes"], ["=4", "=6", "=Y", "=Z", "=G02"]),
+        (["rows"], ["4 passes", "=6", "=Y", "=Z"]),
+    ],
+)
+def test_hints(off: list[str], labels: list[str]) -> None:
+    options = {"editor": {"inlay-hints": dict.fromkeys(off, False)}}
+    texts = {
+        "rs274": "o1 repeat [2*2]\nG1 X[2*3]\no1 endrepeat\n",
+        "z32": "(P)\nAA1\nG25YZX\nAA1 AB2\nM30\n",
+        "cgt": "@LINE\n#EVAL(#MOV=2)\n@\n",
+    }
+    with Inside(initializationOptions=options) as inside:
+        found = []
+        for language, text in texts.items():
+            inside.open(f"untitled:{language}", text, language)
+            found += ask(inside, "inlayHint", f"untitled:{language}", range=ALL)
         assert [each["label"] for each in found] == labels
-        assert [each["position"] for each in found] == [{"line": 3, "character": at} for at in (2, 6)][: len(labels)]
+
+
+def test_hints_of_the_lines_that_are_seen_and_of_no_others() -> None:
+    with Inside() as inside:
+        inside.open("untitled:x", "(😋) X[2*3]\n" * 5, "rs274")
+        seen = {"start": {"line": 1, "character": 0}, "end": {"line": 2, "character": 0}}
+        found = ask(inside, "inlayHint", range=seen)
+        assert [(each["position"]["line"], each["position"]["character"]) for each in found] == [(1, 11), (2, 11)]
+
+
+def test_hints_and_lenses_are_switched_in_the_file_too(tmp_path: Path) -> None:
+    (tmp_path / "deburr.toml").write_text("[editor.inlay-hints]\nvalues = false\n[editor.code-lens]\nexpand = false\n")
+    uri = (tmp_path / "a.ngc").as_uri()
+    with Inside() as inside:
+        inside.open(uri, "G1 X[2*3]\n", "rs274")
+        assert ask(inside, "inlayHint", uri, range=ALL) == []
+        assert ask(inside, "codeLens", uri) == []
+
+
+def test_who_calls_what(tmp_path: Path) -> None:
+    main, other = (tmp_path / "main.ngc").as_uri(), tmp_path / "x.ngc"
+    other.write_text("o<x> sub\no<x> endsub\n")
+    folders = [{"uri": tmp_path.as_uri(), "name": "here"}]
+    with Inside(workspaceFolders=folders) as inside:
+        inside.open(main, "o<s> sub\n(😋) G0\no<x> call\no<s> endsub\no<x> call\nM2\n", "rs274")
+        (item,) = ask(inside, "prepareCallHierarchy", main, position={"line": 4, "character": 3})
+        assert (item["name"], item["uri"], item["range"]["end"]["line"]) == ("x", other.as_uri(), 1)
+        callers = inside.request("callHierarchy/incomingCalls", {"item": item})
+        found = {each["from"]["name"]: [place["start"]["line"] for place in each["fromRanges"]] for each in callers}
+        assert found == {"s": [2], "main.ngc": [4]}
+        whole = next(each["from"] for each in callers if each["from"]["name"] == "main.ngc")
+        called = inside.request("callHierarchy/outgoingCalls", {"item": whole})
+        assert [(each["to"]["name"], each["fromRanges"][0]["start"]["line"]) for each in called] == [("x", 4)]
+        nowhere = {"textDocument": {"uri": "untitled:no"}, "position": {"line": 0, "character": 0}}
+        assert inside.request("textDocument/prepareCallHierarchy", nowhere) is None
 
 
 @pytest.mark.parametrize(
@@ -54,6 +127,10 @@ def test_hints(settings: dict[str, Any], labels: list[str]) -> None:
         ("rs274", "o1 if [1]\no1 else\no1 endif\n", (0, 1), [0, 1, 2]),
         ("metagcode", "#IF1 |a| EqualTo 1 n\n#IF2 |a| EqualTo 1 n\n#ENDIF2\n#ENDIF1\n", (3, 7), [0, 3]),
         ("metagcode", "#IF1 |a| EqualTo 1 n\n#ENDIF1\n", (0, 1), []),
+        ("rs274", "o<a> repeat [2]\nG0\no<a> endrepeat\n", (2, 3), [0, 2]),
+        ("rs274", "o<s> sub\no1 if [1]\no1 endif\no<s> endsub\no1 if [1]\no1 endif\n", (4, 2), [4, 5]),
+        ("metagcode", "#LOOP7 |a| 1 c\n#ENDLOOP7\n", (0, 6), [0, 1]),
+        ("metagcode", "#LOOP7 |a| 1 c\n#ENDLOOP8\n", (0, 6), []),
         ("rs274", "G1 X1\n", (0, 1), []),
     ],
 )

@@ -74,7 +74,7 @@ _ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t"}
 def _settings(path: tuple[str, ...], schema: tuple[Setting, ...], config: Config) -> Iterator[str]:
     for setting in schema:
         found = _rules(setting, config) if path == ("check",) else None
-        value, origin = found or config.get(path[0], setting)
+        value, origin = found or config.get(".".join(path), setting)
         if value is None:
             yield f"# {setting.name}: the default set"
         else:

@@ -43,6 +43,8 @@ def lines() -> Iterator[str]:
     yield _HEAD
     yield from _settings(TOP)
     for path, schema in tables().items():
+        if not schema:
+            continue
         yield ""
         yield f"[{'.'.join(path)}]"
         if isinstance(schema, Free):

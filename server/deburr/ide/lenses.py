@@ -1,33 +1,74 @@
-"""What is shown above lines: how often a subprogram or section is used."""
+"""What is shown above lines: how often a subprogram or section is called, how often a loop goes round. Counts nothing before it is asked to."""
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
+from deburr.ide.known import held
 from deburr.ide.related import uses
-from deburr.symbols import Act, Sort
-from deburr.symbols.index import all_symbols, mentions_of
+from deburr.ide.view import Spot
+from deburr.symbols import Act, Sort, Symbol
+from deburr.symbols.constants import constants_of
+from deburr.symbols.index import all_symbols, at, mentions_of
+from deburr_grammar.dialect import Role
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
-    from deburr_grammar.text import Span
+    from deburr_grammar.text import Pos, Span
+
+_MOST = 1_000
+"""So many lenses of a program at the most."""
 
 
 class Lens(NamedTuple):
-    """A definition, and how many places call it."""
+    """A place, and the kind of lens that stands above it; ``text``: what it says, if that is known without counting."""
 
     line: int
     span: Span
-    calls: int
+    kind: str
+    text: str = ""
 
 
 def lenses(view: View) -> list[Lens]:
-    """The subprograms and sections that a program defines, in order, with their calls from all programs."""
-    found = []
-    for symbol in all_symbols(view.document):
-        if symbol.sort not in (Sort.SUB, Sort.SECTION) or not symbol.name:
-            continue
-        own = [each for each in mentions_of(view.document, symbol) if each.mention.act is Act.DEFINE]
-        calls = sum(each.mention.act is Act.CALL for _, each in uses(view, symbol, None)) if own else 0
-        found += [Lens(each.line, each.mention.inner, calls) for each in own]
-    return sorted(found)
+    """The lenses of a program, in order: of what it defines and others call, and of its loops."""
+    return sorted([*_definitions(view), *_loops(view)])[:_MOST]
+
+
+def callers(view: View, pos: Pos) -> list[Spot]:
+    """The places in all programs that call or read what is defined at a place."""
+    placed = at(view.document, pos.line, pos.col)
+    if placed is None:
+        return []
+    found = uses(view, placed.mention.symbol, None)
+    return [
+        Spot(each.file, one.line, one.mention.inner) for each, one in found if one.mention.act in (Act.CALL, Act.READ)
+    ]
+
+
+def _definitions(view: View) -> list[Lens]:
+    found: list[Lens] = []
+    for symbol in all_symbols(view.document, Sort.SUB, Sort.SECTION):
+        if symbol.name and not _is_systems(view, symbol):
+            own = mentions_of(view.document, symbol)
+            found += [Lens(one.line, one.mention.inner, "references") for one in own if one.mention.act is Act.DEFINE]
+    return found
+
+
+def _is_systems(view: View, symbol: Symbol) -> bool:
+    """Whether a section is one that the control runs by itself."""
+    return symbol.sort is Sort.SECTION and view.dialect.codes.entry("section", symbol.name) is not None
+
+
+def _loops(view: View) -> list[Lens]:
+    constants = constants_of(view.dialect.name)
+    found: list[Lens] = []
+    for line, bracket in view.document.brackets() if constants is not None else ():
+        if bracket.role is Role.OPEN and bracket.kind in _LOOPS and constants is not None and len(found) < _MOST:
+            lengths = constants.lengths(view.document, line, partial(held, view), view.ruleset.settings)
+            text = " · ".join(each.text for each in lengths)
+            found += [Lens(line, bracket.span, "passes", text)] if text else []
+    return found
+
+
+_LOOPS = frozenset(("loop", "repeat"))

@@ -10,6 +10,8 @@ EXPANDED = "deburr-expanded"
 """The scheme of flat programs."""
 PAGES = "deburr-rule"
 """The scheme of the rules' manual pages."""
+SHOW_REFERENCES = "deburr.showReferences"
+"""A command of the client's, if it says that it has it: the arguments are a URI, a position and the locations to show."""
 TOKEN_TYPES = (
     "variable",
     "function",
@@ -45,9 +47,10 @@ _PROVIDERS: dict[str, Any] = {
         "full": {"delta": True},
     },
     "documentLinkProvider": {"resolveProvider": False},
-    "codeLensProvider": {"resolveProvider": False},
+    "codeLensProvider": {"resolveProvider": True},
     "inlayHintProvider": {"resolveProvider": False},
     "linkedEditingRangeProvider": True,
+    "callHierarchyProvider": True,
     "executeCommandProvider": {"commands": list(COMMANDS)},
 }
 

@@ -34,6 +34,13 @@ class Client(NamedTuple):
     """Whether edits of several documents may name versions."""
     content: bool = False
     """Whether it asks for the text of virtual documents."""
+    progress: bool = False
+    """Whether it shows progress that the server begins."""
+    refreshes_lenses: bool = False
+    refreshes_hints: bool = False
+    commands: tuple[str, ...] = ()
+    """The commands of its own that it runs for the server."""
+    trace: str = "off"
 
 
 def client_of(params: Any) -> Client:
@@ -55,6 +62,11 @@ def client_of(params: Any) -> Client:
         markdown=_markdown(said.get(*text, "hover", "contentFormat")),
         changes_versioned=said.flag(*space, "workspaceEdit", "documentChanges"),
         content=isinstance(said.get(*space, "textDocumentContent"), Mapping),
+        progress=said.flag("capabilities", "window", "workDoneProgress"),
+        refreshes_lenses=said.flag(*space, "codeLens", "refreshSupport"),
+        refreshes_hints=said.flag(*space, "inlayHint", "refreshSupport"),
+        commands=_texts(said.get("capabilities", "experimental", "commands", "commands")),
+        trace=trace if isinstance(trace := said.get("trace"), str) else "off",
     )
 
 
@@ -88,6 +100,10 @@ def _folders(said: _Said) -> tuple[str, ...]:
     found = tuple(uri for uri in uris if isinstance(uri, str))
     root = said.get("rootUri")
     return found or ((root,) if isinstance(root, str) else ())
+
+
+def _texts(found: Any) -> tuple[str, ...]:
+    return tuple(each for each in found if isinstance(each, str)) if isinstance(found, list) else ()
 
 
 def _markdown(formats: Any) -> bool:

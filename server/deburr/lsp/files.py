@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from deburr import paths, source
 from deburr.configfile import Configs
@@ -16,10 +16,11 @@ _KEPT = 2_000
 
 
 class Files:
-    """A host over the disk and the buffers that are open. ``buffer``: the text of an open file, None for others."""
+    """A host over the disk and the buffers that are open. ``buffer``: the text of an open file, None for others; ``opened``: the open files."""
 
-    def __init__(self, buffer: Callable[[str], str | None]) -> None:
+    def __init__(self, buffer: Callable[[str], str | None], opened: Callable[[], Iterable[str]]) -> None:
         self._buffer = buffer
+        self._opened = opened
         self._texts: dict[str, tuple[Stamp, str]] = {}
 
     def read(self, path: str) -> str | None:
@@ -28,11 +29,14 @@ class Files:
         return self._on_disk(path) if text is None else text
 
     def names(self, folder: str) -> Sequence[str]:
-        """The names in a folder, in order."""
+        """The names in a folder, in order; a file that is open but was never saved is there, too."""
         try:
-            return paths.names(folder)
+            found = paths.names(folder)
         except (OSError, ValueError):
-            return ()
+            found = []
+        start = f"{folder.rstrip('/')}/"
+        unsaved = {each[len(start) :].partition("/")[0] for each in self._opened() if each.startswith(start)}
+        return found if unsaved <= set(found) else sorted({*found, *unsaved})
 
     def stamp(self, path: str) -> Stamp | None:
         """What tells one state of a file on disk from another; None if there is none."""

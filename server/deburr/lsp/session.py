@@ -52,9 +52,9 @@ class Session:
         self.folders: list[str] = [uri_to_file(uri) for uri in client.folders]
         self.settings = Settings(complain)
         self.settings.lay_over(client.options, self.folders)
-        self.files = Files(self._buffer)
         self.open: dict[str, Open] = {}
         self.open_files: dict[str, Open] = {}
+        self.files = Files(self._buffer, lambda: self.open_files)
         self._views: dict[tuple[str, str], tuple[Stamp | None, View]] = {}
 
     def opened(self, uri: str, language: str, version: int, text: str) -> Open:

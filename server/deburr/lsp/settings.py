@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from deburr_grammar.dialect import Dialect
 
 SAID_BY = "the editor's settings"
-EDITOR = "editor"
-"""The table of the settings that only an editor has."""
 HINTS = "inlay-hints"
 LENSES = "code-lens"
 
@@ -27,7 +25,6 @@ class Settings:
     def __init__(self, complain: Callable[[str], None]) -> None:
         self._complain = complain
         self._said: set[str] = set()
-        self._editor: Mapping[str, Any] = {}
         self._top = Config()
         self.reload()
 
@@ -43,8 +40,6 @@ class Settings:
         if isinstance(said, Mapping) and isinstance(said.get("deburr"), Mapping):
             said = said["deburr"]
         tables = {key: value for key, value in said.items() if value is not None} if isinstance(said, Mapping) else {}
-        editor = tables.pop(EDITOR, {})
-        self._editor = editor if isinstance(editor, Mapping) else {}
         try:
             self._top = given(tables, folders[0] if folders else paths.working_folder(), SAID_BY)
         except ConfigError as error:
@@ -53,11 +48,6 @@ class Settings:
             self._once(error)
             return
         self.reload()
-
-    def shown(self, table: str, kind: str) -> bool:
-        """Whether hints or lenses of a kind are wanted: all are unless they are switched off."""
-        found = self._editor.get(table, True)
-        return found.get(kind, True) is not False if isinstance(found, Mapping) else found is not False
 
     def of(self, file: str) -> Config:
         """The configuration of a file; of one that has no path, that of the working folder."""

@@ -47,9 +47,10 @@ def names(document: Document) -> tuple[tuple[str, str], ...]:
 def mentions(line: LineNode, names: Hashable) -> Iterator[Mention]:
     """Words, sections, functions and commands."""
     known = _symbols(names)
+    looked_up = {part.children[2].start for part in walk(line.tree) if isinstance(part, Node) and part.kind == "lookup"}
     for part in walk(line.tree):
         if isinstance(part, Token):
-            yield from _token(line.text, part)
+            yield from _token(line.text, part, Act.READ if part.start in looked_up else Act.CALL)
             continue
         target = next((each for each in part.children if each.kind == "WORD"), None)
         for each in part.children:
@@ -175,13 +176,13 @@ def _is_users(name: str) -> bool:
     return re.fullmatch("[SUV][0-9]{1,2}", name) is not None
 
 
-def _token(text: str, token: Token) -> Iterator[Mention]:
+def _token(text: str, token: Token, act: Act) -> Iterator[Mention]:
     span = Span(token.start, token.end)
     said = text[token.start : token.end]
     if token.kind == "HEADER":
         inner = Span(token.start + 1, token.end)
         yield Mention(Symbol(Sort.SECTION, said[1:], table="section"), Act.DEFINE, span, inner)
     elif token.kind == "SECTION":
-        yield Mention(Symbol(Sort.SECTION, said, table="section"), Act.CALL, span, span)
+        yield Mention(Symbol(Sort.SECTION, said, table="section"), act, span, span)
     elif said.startswith("#") and token.kind not in ("WORD", "TEXT", "ROW_TEXT", "COMMENT", "CHARS", "STRING"):
         yield Mention(Symbol(Sort.KEYWORD, said[1:].upper(), table="command"), Act.SAY, span, span)
