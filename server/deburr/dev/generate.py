@@ -1,4 +1,4 @@
-"""Writes what is derived from the code: the rule pages, and the JSON schema of the configuration.
+"""Writes what is derived from the code: the rule pages, the JSON schema of the configuration, the file types of editors.
 
 `python -m deburr.dev.generate` writes them; a test proves them fresh.
 """
@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from deburr.dev import filetypes
 from deburr.page import kind, markdown
 from deburr.rule import rule_names, rules_of
 from deburr.schema import LEVELS, TOP, Free, tables
@@ -22,7 +23,12 @@ SCHEMA = "server/deburr/deburr.schema.json"
 def generated() -> dict[str, str]:
     """All derived files: path from the repository's root, and content."""
     found = {f"{PAGES}/{name}.md": pages(name) for name in NAMES}
-    return {f"{PAGES}/README.md": index(), **found, SCHEMA: json.dumps(schema(), indent=2) + "\n"}
+    return {
+        f"{PAGES}/README.md": index(),
+        **found,
+        SCHEMA: json.dumps(schema(), indent=2) + "\n",
+        **filetypes.files(),
+    }
 
 
 def stale(root: Path = ROOT) -> list[str]:

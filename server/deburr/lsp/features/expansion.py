@@ -64,13 +64,9 @@ async def run(server: Server, uri: str, inputs: Inputs, budget: Budget) -> Expan
 
 
 async def _expanded(server: Server, said: Json) -> Json | None:
-    define = said.get("define")
-    values = (
-        {str(name).strip(): str(value).strip() for name, value in define.items()} if isinstance(define, dict) else {}
-    )
     most = said.get("maxBlocks")
     budget = Budget(blocks=most) if isinstance(most, int) and most >= 0 else Budget()
-    found = await run(server, said["uri"], Inputs(define=values), budget)
+    found = await run(server, said["uri"], _inputs(said), budget)
     if found is None:
         return None
     return {
@@ -82,6 +78,14 @@ async def _expanded(server: Server, said: Json) -> Json | None:
     }
 
 
+def _inputs(said: Json) -> Inputs:
+    """The values that a command is given."""
+    define = said.get("define")
+    if not isinstance(define, dict):
+        return Inputs()
+    return Inputs(define={str(name).strip(): str(value).strip() for name, value in define.items()})
+
+
 async def _looked_up(server: Server, said: Json) -> Json:
     """From a line of a source to its flat lines, or from a flat line to its origin with the calls and passes above it."""
     try:
@@ -89,7 +93,7 @@ async def _looked_up(server: Server, said: Json) -> Json:
     except (KeyError, TypeError, ValueError):
         raise JsonRpcInvalidParams("`deburr.sourceMap` needs a `position`") from None
     flat = said["uri"].startswith(f"{EXPANDED}:")
-    found = await run(server, source_of(said["uri"]) if flat else said["uri"], Inputs(), Budget())
+    found = await run(server, source_of(said["uri"]) if flat else said["uri"], _inputs(said), Budget())
     if found is None:
         return {"uri": said["uri"], "ranges": []}
     if not flat:

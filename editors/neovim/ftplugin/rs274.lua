@@ -1,0 +1,2 @@
+-- Written by `python -m deburr.dev.generate`.
+vim.bo.commentstring = '; %s'
