@@ -3,6 +3,8 @@
 from enum import IntEnum
 from typing import NamedTuple
 
+from deburr_grammar.text import Edit
+
 
 class Severity(IntEnum):
     """How much a finding matters. An error: the control would stop, or the expansion would be wrong."""
@@ -34,6 +36,19 @@ class Related(NamedTuple):
     message: str
 
 
+class Fix(NamedTuple):
+    """What would be done: its title, its edits of the program, none of which touches another, and whether it is safe."""
+
+    title: str
+    edits: tuple[Edit, ...]
+    safe: bool = False
+
+    @property
+    def applicability(self) -> str:
+        """How sure it is, as reports have it."""
+        return "safe" if self.safe else "unsafe"
+
+
 class Finding(NamedTuple):
     """One thing that is wrong at one place. ``rule`` is the full name, `rs274.comment-nested`."""
 
@@ -42,6 +57,8 @@ class Finding(NamedTuple):
     message: str
     place: Place
     related: tuple[Related, ...] = ()
+    fix: Fix | None = None
+    """What would mend it; only where somebody asked for it (deburr/fix.py)."""
 
     @property
     def order(self) -> tuple[Place, str, str]:

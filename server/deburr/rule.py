@@ -183,6 +183,12 @@ class Rule:
     """Whether only the operator, the machine or an input that was not given can decide: then `check` is silent and `expand` refuses."""
 
     @property
+    def fix(self) -> Callable[[Any], Iterator[Any]] | None:
+        """How its faults are mended: the `fix` of the rule's file (deburr/fix.py); None if it has none of its own."""
+        found: Callable[[Any], Iterator[Any]] | None = getattr(sys.modules[self.check.__module__], "fix", None)
+        return found
+
+    @property
     def short(self) -> str:
         """The name without its dialect."""
         return self.name.partition(".")[2]

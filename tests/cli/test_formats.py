@@ -105,7 +105,13 @@ def test_json(shell):
         "end_location": {"row": 2, "column": 25},
         "url": None,
         "related": [],
-        "fix": None,
+        "fix": {
+            "message": "Change to `[first]`",
+            "applicability": "unsafe",
+            "edits": [
+                {"location": {"row": 2, "column": 18}, "end_location": {"row": 2, "column": 25}, "content": "[first]"}
+            ],
+        },
     }
     ran = shell.run("check", "--output-format", "json")
     assert ran.out == json.dumps([expected], indent=2, ensure_ascii=False) + "\n"
@@ -128,3 +134,30 @@ def test_json_is_sorted_by_file_row_and_column(shell):
     found = json.loads(shell.run("check", "sub", "b.ngc", "a.ngc", "--output-format", "json").out)
     places = [(each["filename"], each["location"]["row"], each["location"]["column"]) for each in found]
     assert len(places) == 9 and places == sorted(places)
+
+
+def test_a_finding_that_nothing_mends_has_no_fix(shell):
+    shell.write("a.ngc", "G21 G90 G17\nG0 X[1/0]\nF100\nM2\n")
+    assert [each["fix"] for each in json.loads(shell.run("check", "--output-format", "json").out)] == [None]
+    assert "fix:" not in shell.run("check").out
+
+
+def test_padding_moves_a_fix_as_it_moves_its_finding(shell):
+    shell.write("a.z32", b"\0\0\0g0 X1\nM30\n")
+    found = json.loads(shell.run("check", "--output-format", "json").out)
+    (lower,) = [each for each in found if each["rule"] == "z32.lower-case"]
+    place = {name: lower[name] for name in ("location", "end_location")}
+    assert place["location"] == {"row": 1, "column": 4}
+    assert lower["fix"]["edits"] == [{**place, "content": "G"}]
+    assert lower["fix"]["applicability"] == "safe"
+
+
+def test_people_are_told_of_fixes(shell):
+    shell.write("a.z32", "(P)\ng0 X1\nG0 X1 (oops\nM30\n")
+    full, concise = shell.run("check").out, shell.run("check", "--output-format", "concise").out
+    assert "  = fix: Change to `G` (safe)\n" in full
+    assert "  = fix: Insert `)` (not sure to be what is meant)\n" in full
+    assert [line.split()[2:4] for line in concise.splitlines()[:2]] == [
+        ["z32.lower-case", "[*]"],
+        ["z32.comment-unclosed", "the"],
+    ]

@@ -112,7 +112,7 @@ def test_a_comment_without_a_name():
 def test_messages(shell):
     shell.write("a.ngc", "G21 G90 G17\nG0 X1 (deburr: allow rs274.percent, nonsense)\nF100\nM2\n")
     assert shell.run("check", "--output-format", "concise").out == (
-        "a.ngc:2:22: warning rs274.allow-unused `rs274.percent` finds nothing here; the comment would hide the next fault, take the name out\n"
+        "a.ngc:2:22: warning rs274.allow-unused [*] `rs274.percent` finds nothing here; the comment would hide the next fault, take the name out\n"
         "a.ngc:2:37: warning rs274.allow-unknown `nonsense` is no rule of this language; nothing is allowed by it\n"
         "Found 2 warnings in 1 file (1 checked)\n"
     )

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from deburr.analysis import Analysis
-from deburr.ide.actions import actions
 from deburr.ide.completion import completions, resolved
+from deburr.ide.fixes import quick_fixes
 from deburr.ide.signature import signature
 from deburr_grammar.dialects import by_name
 from support.views import at_cursor
@@ -87,13 +87,13 @@ def test_no_signature_where_nothing_is_called() -> None:
         ),
         ("metagcode", "#IF1 |a| EqalTo 1 n\n#ENDIF1\n", ["Change to `equalto`", "Allow `metagcode.if-operator` here"]),
         ("z32", "(P)\nX<SINN(1)>\nM30\n", ["Change to `SN`", "Allow `z32.function-unknown` here"]),
-        ("rs274", "G21 G90 G17\nG1 X1 F1 G1\nM2\n", ["Allow `rs274.g-group` here"]),
+        ("rs274", "G21 G90 G17\nG1 X1 F1 G1\nM2\n", ["Delete `G1`", "Allow `rs274.g-group` here"]),
     ],
 )
 def test_actions(dialect: str, text: str, titles: list[str]) -> None:
     view, _ = at_cursor(dialect, text)
     findings = Analysis(view.document, view.ruleset, view.file, view.host).findings()
-    found = actions(view, findings)
+    found = quick_fixes(view, findings)
     assert [each.title for each in found] == titles
     for each in found:
         after = Analysis(view.document.edit(*each.edits), view.ruleset, view.file, view.host).findings()
@@ -104,6 +104,7 @@ def test_actions(dialect: str, text: str, titles: list[str]) -> None:
 def test_a_second_rule_is_allowed_in_the_comment_that_is_there() -> None:
     view, _ = at_cursor("rs274", "G21 G90 G17 F1\nG1 X1 P3 Q1 (deburr: allow rs274.x)\nM2\n")
     findings = Analysis(view.document, view.ruleset, view.file, view.host).findings()
-    edits = [each.edits[0].text for each in actions(view, findings) if each.finding.place.line == 1]
+    found = [each for each in quick_fixes(view, findings) if each.finding.place.line == 1]
+    edits = [each.edits[0].text for each in found if each.title.startswith("Allow")]
     assert edits
     assert all(text.endswith(", ") for text in edits)

@@ -84,7 +84,8 @@ class Checker:
         host: Host = self._disk if name else NoFiles()
         ruleset = self._rulesets.of(dialect, config, name or file)
         run = _Runs()
-        findings = check(found, dialect, ruleset, file, host, run if config.runs else None, self._options.inputs)
+        runs = run if config.runs else None
+        findings = check(found, dialect, ruleset, file, host, runs, self._options.inputs, mend=True)
         shown = texts(findings, file, found, host) if self._options.texts and findings else ()
         fails = any(finding.severity >= config.fail_on for finding in findings)
         return Outcome(

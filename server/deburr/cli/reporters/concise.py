@@ -15,7 +15,8 @@ def report(result: Result, out: TextIO, style: Style) -> None:
         place = finding.place
         where = f"{style.paint(style.file(place.file), 'bold')}:{place.line + 1}:{place.col + 1}:"
         severity = style.paint(finding.severity.word, finding.severity)
-        out.write(f"{where} {severity} {style.paint(finding.rule, 'bold')} {plain(finding.message)}\n")
+        mark = " [*]" if finding.fix is not None and finding.fix.safe else ""
+        out.write(f"{where} {severity} {style.paint(finding.rule, 'bold')}{mark} {plain(finding.message)}\n")
 
 
 def statistics(rows: Iterable[Row], out: TextIO, style: Style) -> None:

@@ -35,6 +35,9 @@ def _finding(finding: Finding, texts: Texts, style: Style) -> Iterator[str]:
     for related in finding.related:
         yield from _where(":::", related.place, width, style)
         yield from _frame(related.place, texts, width, style, None, 0, plain(related.message))
+    if finding.fix is not None:
+        how = "safe" if finding.fix.safe else "not sure to be what is meant"
+        yield f"{' ' * width} {style.paint('=', 'frame')} fix: {plain(finding.fix.title)} ({how})"
 
 
 def _where(arrow: str, place: Place, width: int, style: Style) -> Iterator[str]:

@@ -5,7 +5,7 @@ from typing import Any, TextIO
 
 from deburr.cli.result import Result, Row
 from deburr.cli.style import Style
-from deburr.finding import Finding, Place
+from deburr.finding import Finding, Fix, Place
 
 TEXT = False
 
@@ -34,13 +34,19 @@ def as_object(finding: Finding, dialect: str) -> dict[str, Any]:
         "related": [
             {"filename": each.place.file, **_ends(each.place), "message": each.message} for each in finding.related
         ],
-        "fix": None,
+        "fix": None if finding.fix is None else _fix(finding.fix),
     }
 
 
 def row_as_object(row: Row) -> dict[str, Any]:
     """A line of the statistics."""
     return {"rule": row.rule, "severity": row.severity.word, "count": row.times, "summary": row.summary}
+
+
+def _fix(fix: Fix) -> dict[str, Any]:
+    """What would be done: each edit puts ``content`` in place of what stands between two places."""
+    edits = [{**_ends(Place("", *edit.start, *edit.end)), "content": edit.text} for edit in fix.edits]
+    return {"message": fix.title, "applicability": fix.applicability, "edits": edits}
 
 
 def _ends(place: Place) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from lsprotocol import types
 
-from deburr.ide.actions import actions
+from deburr.ide.fixes import quick_fixes
 from deburr.lsp.report import diagnostics
 from deburr.lsp.server import Server, feature
 
@@ -17,7 +17,7 @@ def on_actions(server: Server, params: types.CodeActionParams) -> list[types.Cod
     first, last = params.range.start.line, params.range.end.line
     near = [each for each in server.checks.findings(view.file) if first <= each.place.line <= last]
     found = []
-    for each in actions(view, near):
+    for each in quick_fixes(view, near):
         said = server.protocol._converter.structure(diagnostics([each.finding], server.session), list[types.Diagnostic])
         edit = server.workspace_edit({view.file: each.edits})
         kind = types.CodeActionKind.QuickFix

@@ -18,6 +18,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.brackets import read_brackets, tests_of
@@ -34,3 +35,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
                 f"`{operator.text}` stands before the first word, so nothing is tested and the bracket is always output"
             )
             yield Report(operator.span, message, operator.line)
+
+
+fix = deleted

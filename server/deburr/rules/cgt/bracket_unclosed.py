@@ -35,6 +35,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Note, Report, Severity, Structure, rule
 from deburr_grammar.structure import Fault, StructureFault
 
@@ -46,3 +48,10 @@ def check(fault: StructureFault) -> Iterator[Report]:
     other = fault.other
     related = (Note(other.line, other.bracket.span, "this `>` stands in another section"),) if other else ()
     yield Report(fault.at.bracket.span, message, fault.at.line, related)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Close it where its line ends, if there is anything in it."""
+    end = len(broken.text.rstrip())
+    if end > broken.span.end:
+        yield broken.inserted(end, ">")

@@ -17,6 +17,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import deleted
 from deburr.rule import Report, Severity, Structure, rule
 from deburr_grammar.structure import Fault, StructureFault
 
@@ -27,3 +28,6 @@ def check(fault: StructureFault) -> Iterator[Report]:
     yield Report(
         fault.at.bracket.span, "this `>` closes nothing; no `<` stands before it in the section", fault.at.line
     )
+
+
+fix = deleted

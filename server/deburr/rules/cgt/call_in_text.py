@@ -38,6 +38,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken, split
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.items import DEEPEST, Body, Item
@@ -78,3 +80,10 @@ def _walk(body: Body, collected: bool, found: list[Item]) -> bool:
         else:
             collected = collected or part.printed
     return collected
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Begin a line with the call, if it stands in no bracket."""
+    before = broken.text[: broken.span.start]
+    if "<" not in before:
+        yield from split(broken)

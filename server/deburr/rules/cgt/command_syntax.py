@@ -64,6 +64,8 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, closed, meant
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.templates.symbols import commands, missing_sign
 from deburr_grammar.problem import Problem
@@ -84,3 +86,16 @@ def _needed(problem: Problem) -> str:
     # A name without `#` is read as a function, whose parenthesis is then all that can follow.
     bare = problem.expected == ("`(`",)
     return "; a word begins with `#`, and a function has `(` behind its name" if bare else expected(problem)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Add the sign that is missing, or write the bare name."""
+    message, start = broken.finding.message, broken.span.start
+    if "write the name alone" in message:
+        yield broken.replaced(broken.quoted[-1])
+    elif "expected `,` or" in message and broken.said.startswith("#"):
+        yield Fix("Insert `,`", (broken.edit(len(broken.text[:start].rstrip()), start, ","),))
+    elif "expected `)`" in message or "`,`, `)` or" in message:
+        yield from closed(")")(broken)
+    else:
+        yield from meant(broken)

@@ -30,7 +30,10 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Note, Report, Severity, Whole, rule
+from deburr.rules.cgt._declared import undeclared
 from deburr.rules.cgt._template import template_of
 from deburr.templates.items import Declaration
 
@@ -45,3 +48,8 @@ def check(analysis: Analysis) -> Iterator[Report]:
             if known is not each:
                 note = Note(known.line, known.span, f"declared here as `#{known.command}`")
                 yield Report(each.span, f"`#{each.name}` is declared already; a word has one type", each.line, (note,))
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Take the second one out of the list."""
+    yield from undeclared(broken)

@@ -44,6 +44,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import computed
 from deburr.rules.cgt._template import template_of
@@ -71,3 +73,9 @@ def check(analysis: Analysis) -> Iterator[Report]:
 
 def _silent(section: Section, computing: frozenset[str]) -> bool:
     return section.reading == "declare" or section.name in computing
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the comma."""
+    if "a comma is missing" in broken.finding.message:
+        yield broken.inserted(len(broken.text[: broken.span.start].rstrip()), ",")

@@ -26,7 +26,10 @@ from collections import Counter
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
+from deburr.rules.cgt._declared import undeclared
 from deburr.rules.cgt._template import template_of
 
 
@@ -43,3 +46,8 @@ def check(analysis: Analysis) -> Iterator[Report]:
         known = each.name in template.symbols.declared and times[each.name] == 1
         if each.inside and known and each.name not in used | template.named_in_faults:
             yield Report(each.span, f"`#{each.name}` is declared and never used", each.line)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Take it out of the list."""
+    yield from undeclared(broken)

@@ -43,6 +43,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.items import Body, Item
@@ -70,3 +72,13 @@ def _of(item: Item, before: Item | Body | None, behind: list[Item | Body]) -> It
     opener = behind[0].opener if behind and isinstance(behind[0], Body) else None
     if opener is None or (opener.line, opener.start) != (item.line, item.end):
         yield Report(item.span, f"`{item.text}` has no body; `<` must follow it directly", item.line)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Leave out the blanks that keep it apart from its bracket."""
+    before, after = broken.text[: broken.span.start], broken.text[broken.span.end :]
+    if "must follow it directly" in broken.finding.message and after.lstrip().startswith("<"):
+        end = broken.span.end
+        yield Fix("Delete the blanks", (broken.edit(end, end + len(after) - len(after.lstrip()), ""),))
+    elif before.rstrip().endswith(">") and before != before.rstrip():
+        yield Fix("Delete the blanks", (broken.edit(len(before.rstrip()), len(before), ""),))

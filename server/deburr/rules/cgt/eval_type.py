@@ -61,6 +61,8 @@ import re
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.items import Item
@@ -142,3 +144,9 @@ def _text_faults(value: Node | Token, symbols: Symbols, text: str) -> Iterator[t
 def symbols_in(said: str) -> bool:
     """Whether a text holds something that is written like a word."""
     return any(piece[:1].isascii() and piece[:1].isalpha() for piece in said.split("#")[1:])
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the 0 that clears a number."""
+    if "write 0 to clear it" in broken.finding.message:
+        yield broken.inserted(broken.span.end - 1, "0")

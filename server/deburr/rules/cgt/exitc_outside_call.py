@@ -36,6 +36,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.template import target
@@ -50,3 +52,8 @@ def check(analysis: Analysis) -> Iterator[Report]:
         if item.name == "EXITC" and section.name not in called and not section.name.startswith("$"):
             message = f"nothing calls `@{section.name}`, so `{item.text}` ends it as `#EXIT` does; write `#EXIT`"
             yield Report(item.span, message, item.line)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the command that it acts as."""
+    yield broken.replaced("#EXIT", safe=True)

@@ -20,6 +20,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
@@ -32,3 +34,8 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         if part.kind == "LOGIC" and before.kind != "COMMA":
             said = line.said(part)
             yield Report(Span(part.start, part.end), f"the comma before `{said}` is missing; write `,{said}`")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the comma."""
+    yield broken.inserted(broken.span.start, ",")

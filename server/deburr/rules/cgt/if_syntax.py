@@ -47,6 +47,8 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, advised
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.templates.symbols import missing_sign
 from deburr_grammar.problem import Problem
@@ -90,3 +92,13 @@ def _name(text: str, problem: Problem) -> Span | None:
         return None
     found = [match for match in _NAME.finditer(text, 0, end) if match.end() == len(text[:end].rstrip(" \t"))]
     return Span(*found[-1].span()) if found and text[found[-1].start() - 1] != "#" else None
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Leave out the blanks before the body, or write what the message says."""
+    blanks = re.match(r"[ \t]+(?=<)", broken.text[broken.span.end :])
+    if blanks is not None and "`<` directly behind" in broken.finding.message:
+        end = broken.span.end
+        yield Fix("Delete the blanks", (broken.edit(end, end + blanks.end(), ""),))
+    else:
+        yield from advised(broken)

@@ -40,6 +40,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.brackets import Tests, read_brackets, tests_of
@@ -75,3 +76,6 @@ def _missing(item: Item, tests: Tests) -> str:
     if any((word.line, word.start) < (item.line, item.start) for word in tests.excluded):
         return "no word behind `#EXC` is tested"
     return "no word follows it directly in this bracket before the next operator or the end"
+
+
+fix = deleted

@@ -41,8 +41,11 @@ Good:
     #side
 """
 
+import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, split
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -57,3 +60,11 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
         )
     else:
         yield Report(whole(problem), f"`{said}` is no section header; a name is a letter, then letters, digits or `_`")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Leave out the blank behind the `@`; what stands behind the name goes on the next line."""
+    if "behind a section" in broken.finding.message:
+        yield from split(broken)
+    elif re.fullmatch(r"@[ \t]+[A-Za-z]\w*", broken.said):
+        yield broken.replaced("@" + broken.said[1:].strip())

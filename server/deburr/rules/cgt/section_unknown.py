@@ -22,6 +22,14 @@ Bad:
     #RETNUM(1)
     @
 
+Bad:
+
+    @
+    @DWEL
+    ^^^^^
+    G04 P#DWELL
+    @
+
 Good:
 
     #CALL(change)
@@ -34,6 +42,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken, meant
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import computed, misspelt, misspelt_declare, similar_section
 from deburr.rules.cgt._template import template_of
@@ -52,3 +62,9 @@ def check(analysis: Analysis) -> Iterator[Report]:
             hint = similar_section(section.name, SECTIONS)
             message = f"`@{section.name}` is no section that the generator runs, and nothing here calls it{hint}"
             yield Report(section.span, message, section.line)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Spell it as it is meant, if there is none of that name yet."""
+    taken = {scope.start.bracket.label for scope in broken.analysis.scopes if scope.start is not None}
+    yield from (each for each in meant(broken) if each.edits[0].text.removeprefix("@") not in taken)

@@ -26,6 +26,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.items import Item
@@ -67,3 +69,12 @@ def _beside_else(items: list[Item], at: int) -> bool:
 
 def _openers(template: Template) -> set[int]:
     return {body.opener.line for body in template.bodies if body.opener}
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Put the blank into the bracket behind it; before anything else leave it out."""
+    start, end = broken.span
+    if broken.text[end : end + 1] == "<":
+        yield Fix("Put it into the bracket", (broken.edit(start, end + 1, f"<{broken.said}"),))
+    else:
+        yield Fix("Delete the blank", (broken.edit(start, end, ""),))

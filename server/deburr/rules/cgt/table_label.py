@@ -28,6 +28,8 @@ import re
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr_grammar.text import Span
@@ -48,3 +50,10 @@ def check(analysis: Analysis) -> Iterator[Report]:
                 yield Report(
                     span, f"this is row {index}, not {said}; rows are counted from 0 and labels are ignored", row.line
                 )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the number that the row has."""
+    row = re.search(r"this is row ([0-9]+)", broken.finding.message)
+    if row is not None:
+        yield broken.replaced(row[1])

@@ -26,6 +26,8 @@ import re
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr_grammar.text import Span
@@ -49,3 +51,8 @@ def check(analysis: Analysis) -> Iterator[Report]:
             if token.kind not in _NOT_COMMANDS and said.startswith("#") and said != said.upper():
                 message = f"`{said}` is the command `{said.upper()}`; write it in capitals"
                 yield Report(Span(token.start, token.end), message, line)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write it as it is read."""
+    yield broken.replaced(broken.quoted[1], safe=True)

@@ -18,7 +18,10 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Notice, Noticed, Report, Severity, rule
+from deburr.rules.common._names import name_left_out
 
 
 @rule(Severity.WARNING, Noticed())
@@ -26,3 +29,8 @@ def check(notice: Notice) -> Iterator[Report]:
     """Report the name of the rule."""
     message = f"`{notice.said}` finds nothing here; the comment would hide the next fault, take the name out"
     yield Report(notice.span, message, notice.line)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Take the name out, and the comment with it if it names nothing else."""
+    yield from name_left_out(broken, safe=True)

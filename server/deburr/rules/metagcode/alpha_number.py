@@ -28,8 +28,11 @@ Good:
     #ENDIF1
 """
 
+import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.dialects.metagcode.forms import condition, is_numeric, number
 from deburr_grammar.text import Span
@@ -48,3 +51,10 @@ def check(line: Line, node: Node) -> Iterator[Report]:
             Span(left.start, right.end),
             f"`{one}` and `{two}` are compared as text, character by character; write `n` to compare numbers",
         )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Compare numbers."""
+    kind = re.search(r"\S+\s*$", broken.text)
+    if kind is not None and kind.start() >= broken.span.end:
+        yield Fix("Compare as numbers, `n`", (broken.edit(kind.start(), len(broken.text.rstrip()), "n"),))

@@ -40,6 +40,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import advised
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import Foreign, end_of, gathered, said
 from deburr_grammar.structure import Fault
@@ -60,3 +61,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
             hint = f"write `{end_of(opener)}`"
         message = f"`{said(closer)}` cannot close `{said(opener)}`, the innermost open block; {hint}"
         yield Report(span, message, line, related)
+
+
+fix = advised

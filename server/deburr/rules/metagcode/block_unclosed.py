@@ -47,6 +47,9 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.blockfix import ended
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import Foreign, end_of, gathered, said
 from deburr_grammar.structure import Fault
@@ -66,3 +69,9 @@ def check(analysis: Analysis) -> Iterator[Report]:
         where = f" before `{said(fault.other.bracket)}`" if fault.other is not None else ""
         message = f"`{said(opener)}` is never closed; `{end_of(opener)}` is missing{where}"
         yield Report(span, message, line, (*foreign, *other))
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Add the missing end."""
+    if broken.said == broken.quoted[0]:
+        yield from ended(broken, broken.quoted[1])

@@ -44,6 +44,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken, line_deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import Foreign, gathered, said
 from deburr_grammar.structure import Fault
@@ -61,3 +63,9 @@ def check(analysis: Analysis) -> Iterator[Report]:
         opener = f"#{closer.word[4:]}{closer.label or ''}"
         related = (closer.note,) if isinstance(closer, Foreign) else ()
         yield Report(span, f"`{said(closer)}` closes nothing; no `{opener}` is open here", line, related)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Delete the line, if it is the end itself and not a snippet that brings it."""
+    if broken.said == broken.quoted[0]:
+        yield from line_deleted(broken)

@@ -23,6 +23,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import split
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr_grammar.tree import Node
 
@@ -34,3 +35,6 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         whole(node),
         f"`{line.said(node)}` works only as the first thing on its line; here it goes to the control as text",
     )
+
+
+fix = split

@@ -28,6 +28,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import corrected, safe
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import gathered
 
@@ -42,3 +43,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
             yield Report(
                 span, f"`{name}` is spelled `{spelled}` in the folder; where case counts it is not found", line
             )
+
+
+fix = safe(corrected)

@@ -36,6 +36,7 @@ Good (snippets-dir=parts):
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import advised
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import gathered
 from deburr.rules.metagcode._library import Library
@@ -80,3 +81,6 @@ def _elsewhere(library: Library, name: str) -> str:
     folders = [each for each in library.near("") if "." not in each][:_FOLDERS]
     found = [each for each in (*inner, *(f"{folder}/{parts[-1]}" for folder in folders)) if library.find(each)]
     return f"; did you mean `{found[0]}`?" if found else ""
+
+
+fix = advised

@@ -33,6 +33,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import advised
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._words import MEANT, OPERATORS, OR_EQUAL
 from deburr.suggest import suggestion
@@ -60,3 +61,6 @@ def _hint(said: str) -> str:
         return f"write the lines twice, in an `#IF` with `{OR_EQUAL[said]}` and in one with `equalto`"
     near = suggestion(said, OPERATORS).removeprefix("; ")
     return near or "there are `greaterthan`, `lessthan`, `equalto` and `notequalto`"
+
+
+fix = advised

@@ -50,8 +50,11 @@ Good:
     #ENDIF1
 """
 
+import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, advised
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._items import misfit, surplus
 from deburr_grammar.tree import Node
@@ -65,3 +68,17 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     found = surplus(line, node) if node.kind == "endif" else misfit(line, node, "condition", _ITEMS)
     if found is not None:
         yield Report(*found)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Set items off by blanks, write one word, leave out what is too much, add the type."""
+    message, end = broken.finding.message, len(broken.text.rstrip())
+    if "must be set off" in message:
+        yield broken.inserted(broken.span.start, " ")
+    elif "takes nothing" in message:
+        yield broken.deleted(*broken.span)
+    elif "lacks a type" in message:
+        number = re.fullmatch(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)", broken.text.split()[-1])
+        yield broken.inserted(end, " n" if number else " a")
+    else:
+        yield from advised(broken)

@@ -26,8 +26,11 @@ Good:
     #ENDIF1
 """
 
+import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.dialects.metagcode.forms import condition
 from deburr_grammar.text import Span
@@ -46,3 +49,14 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         if right in _LETTERS:
             hint = f"value and type have changed places, write `{said} {right}`"
         yield Report(Span(items.type.start, items.type.end), f"`{said}` is no type; {hint}")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the type that its first letter says, or let the two items change places."""
+    swapped = re.search(r"changed places, write `([^`]+)`", broken.finding.message)
+    if swapped is not None:
+        items = re.search(rf"\S+\s+{re.escape(broken.said)}$", broken.text[: broken.span.end])
+        if items is not None:
+            yield Fix(f"Change to `{swapped[1]}`", (broken.edit(items.start(), broken.span.end, swapped[1]),))
+    elif broken.said[:1].lower() in "an":
+        yield broken.replaced(broken.said[0].lower())

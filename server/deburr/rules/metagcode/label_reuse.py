@@ -35,6 +35,9 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.blockfix import highest, renumbered
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import Foreign, gathered, said
 from deburr_grammar.dialect import Role
@@ -64,3 +67,8 @@ def check(analysis: Analysis) -> Iterator[Report]:
 def _same(one: Placed, two: Placed) -> bool:
     ours = not isinstance(one.bracket, Foreign)
     return ours and (one.bracket.kind, one.bracket.label) == (two.bracket.kind, two.bracket.label)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Give the inner block a number that nothing else has."""
+    yield from renumbered(broken, highest(broken, "#(?:IF|LOOP)") + 1)

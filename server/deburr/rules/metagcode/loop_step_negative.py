@@ -30,6 +30,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import advised, safe
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.dialects.metagcode.forms import groups, number
 from deburr_grammar.text import Span
@@ -47,3 +48,6 @@ def check(line: Line, node: Node) -> Iterator[Report]:
                 Span(group.step.start, group.step.end),
                 f"the sign of `{said}` is ignored; the direction is that of the variable, write `{said[1:]}`",
             )
+
+
+fix = safe(advised)

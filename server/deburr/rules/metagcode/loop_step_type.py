@@ -25,8 +25,11 @@ Good:
     #ENDLOOP1
 """
 
+import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._items import changed_places
 from deburr_grammar.dialects.metagcode.forms import groups
@@ -44,3 +47,14 @@ def check(line: Line, node: Node) -> Iterator[Report]:
             if changed_places(line, group):
                 hint = f"maxStep and step type have changed places, write `{said} {line.said(group.step)}`"
             yield Report(Span(group.mode.start, group.mode.end), f"`{said}` is no step type; {hint}")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the type that its first letter says, or let the two items change places."""
+    swapped = re.search(r"changed places, write `([^`]+)`", broken.finding.message)
+    if swapped is not None:
+        items = re.search(rf"\S+\s+{re.escape(broken.said)}$", broken.text[: broken.span.end])
+        if items is not None:
+            yield Fix(f"Change to `{swapped[1]}`", (broken.edit(items.start(), broken.span.end, swapped[1]),))
+    elif broken.said[:1].lower() in "cr":
+        yield broken.replaced(broken.said[0].lower())

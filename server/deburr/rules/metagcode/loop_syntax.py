@@ -37,6 +37,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._items import misfit, surplus
 from deburr_grammar.tree import Node
@@ -50,3 +52,11 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     found = surplus(line, node) if node.kind == "endloop" else misfit(line, node, "header", _ITEMS)
     if found is not None:
         yield Report(*found)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Set items off by blanks, leave out what is too much."""
+    if "must be set off" in broken.finding.message:
+        yield broken.inserted(broken.span.start, " ")
+    elif "takes nothing" in broken.finding.message:
+        yield broken.deleted(*broken.span)

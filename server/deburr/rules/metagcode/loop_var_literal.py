@@ -24,6 +24,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import advised
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.dialects.metagcode.forms import groups
 from deburr_grammar.text import Span
@@ -40,3 +41,6 @@ def check(line: Line, node: Node) -> Iterator[Report]:
                 Span(group.counter.start, group.counter.end),
                 f"`{said}` is no variable, so the loop has nothing to count; write `|{said}|`",
             )
+
+
+fix = advised

@@ -24,6 +24,8 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Text, rule
 from deburr_grammar.text import Span
 
@@ -41,3 +43,16 @@ def check(line: Line) -> Iterator[Report]:
             yield Report(
                 Span(*run.span()), f"`{run[0]}` is not ASCII; the control may stop at it or take it for something else"
             )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the sign of a keyboard that it looks like."""
+    plain = broken.said.translate(_PLAIN)
+    if plain.isascii():
+        yield broken.replaced(plain)
+
+
+_PLAIN = str.maketrans(
+    {"\u00a0": " ", "\u2009": " ", "\u202f": " ", "\u2019": "'", "\u2018": "'"}
+    | dict.fromkeys("\u2010\u2011\u2012\u2013\u2014\u2212", "-")
+)

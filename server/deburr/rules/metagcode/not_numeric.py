@@ -58,6 +58,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.arithmetic.metagcode import number_meant
+from deburr.finding import Fix
+from deburr.fix import Broken, advised
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._items import changed_places
 from deburr.rules.metagcode._words import OPERATORS
@@ -86,3 +88,9 @@ def _values(line: Line, node: Node) -> list[Token]:
         return []
     misplaced = OPERATORS if items.operator.kind != "OPERATOR" else ()
     return [value for value in (items.left, items.right) if line.said(value).lower() not in misplaced]
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the number that is meant; what a variable holds is written elsewhere."""
+    if "|" not in broken.said:
+        yield from advised(broken)

@@ -24,6 +24,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.dialects.metagcode.forms import condition, is_numeric
 from deburr_grammar.text import Span
@@ -38,3 +40,8 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     meant = "numeric" if is_numeric(said) else "alpha"
     if type_.kind == "TYPE" and not meant.startswith(said.lower()):
         yield Report(Span(type_.start, type_.end), f"`{said}` is read as `{meant}`, since only its first letter counts")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the letter that counts."""
+    yield broken.replaced(broken.said[0].lower(), safe=True)

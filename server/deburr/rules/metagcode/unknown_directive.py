@@ -45,6 +45,8 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, meant
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._words import FOREIGN, keyword_meant
 from deburr_grammar.text import Span
@@ -68,3 +70,11 @@ def _hint(word: str, label: str) -> str:
     if meant is None:
         return "there are `#FILE`, `#IF`, `#ENDIF`, `#LOOP` and `#ENDLOOP`"
     return f"did you mean `{meant}{'' if meant == '#FILE' else label}`?"
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Spell it as it is meant; `#FILE` takes no number."""
+    if "takes no number" in broken.finding.message:
+        yield broken.replaced("#FILE")
+    else:
+        yield from meant(broken)

@@ -24,8 +24,11 @@ Good:
     (|D|)
 """
 
+import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -34,3 +37,10 @@ from deburr_grammar.problem import Problem
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report from the bar on."""
     yield Report(whole(problem), f"`{line.said(problem)}` begins with a bar that has no partner; write `|name|`")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """End the name behind its first word."""
+    name = re.match(r"\|\w+", broken.said)
+    if name is not None:
+        yield broken.inserted(broken.span.start + name.end(), "|")

@@ -24,6 +24,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import moved_above
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._words import TAKES_AXES, report, said, words
 from deburr_grammar.tree import Node
@@ -43,3 +44,6 @@ def check(line: Line, _: Node) -> Iterator[Report]:
                 at,
                 f"`{said(line, at)}` and `{taker}` both use the axis words of the line; write them on two lines",
             )
+
+
+fix = moved_above

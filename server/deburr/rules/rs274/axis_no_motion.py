@@ -45,6 +45,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
 from deburr.rules.rs274._words import TAKES_AXES, motion, report, said, words
@@ -72,3 +74,10 @@ def _known_otherwise(has: frozenset[str]) -> bool:
     """Whether the axis words belong to another code, or something else is said of them."""
     taken = not TAKES_AXES.isdisjoint(has) or ("G43.1" in has and "G80" not in has)
     return taken or ("G4" in has and "P" not in has)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Say how it moves: a rapid move, or a feed move."""
+    if "write `G0` or `G1`" in broken.finding.message:
+        yield broken.inserted(broken.span.start, "G0 ")
+        yield broken.inserted(broken.span.start, "G1 ")

@@ -26,6 +26,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, advised, deleted, either
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr.rules.rs274._characters import foreign
 from deburr_grammar.problem import Problem
@@ -53,3 +55,9 @@ _ALONE = {
     '"': "has no meaning outside comments; text stands in `( )`",
     "'": "has no meaning outside comments; text stands in `( )`",
 }
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the sign that it looks like, or leave it out."""
+    if broken.said not in "\"'":
+        yield from either(advised, deleted)(broken)

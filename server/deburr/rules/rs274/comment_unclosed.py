@@ -20,6 +20,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import closed
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -28,3 +29,6 @@ from deburr_grammar.problem import Problem
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the comment up to the line's end."""
     yield Report(whole(problem), f"`{line.said(problem)}` is not closed on its line; the control refuses it, write `)`")
+
+
+fix = closed(")")

@@ -21,6 +21,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
@@ -33,3 +35,13 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     if inner.kind == "comparison":
         message = f"`{line.said(inner)}` is 1 or 0, and only that is compared again; join two comparisons with AND"
         yield Report(Span(inner.start, inner.end), message)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Compare twice, and join the comparisons with AND."""
+    start, end = broken.span
+    outer = next((each for each in broken.node.find("comparison") if each.start == start and each.end > end), None)
+    inner = outer.children[0] if outer is not None else None
+    if isinstance(inner, Node) and len(inner.children) == 3:
+        middle = inner.children[2]
+        yield broken.inserted(end, f" AND {broken.text[middle.start : middle.end]}")

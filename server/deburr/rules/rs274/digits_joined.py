@@ -24,6 +24,7 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.fix import corrected
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, tokens
@@ -41,3 +42,6 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         if token.kind == "NUMBER" and _JOINED.search(said):
             message = f"`{said}` is read as `{''.join(said.split())}`: blanks inside a number mean nothing"
             yield Report(Span(token.start, token.end), message)
+
+
+fix = corrected

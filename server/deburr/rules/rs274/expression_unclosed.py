@@ -18,6 +18,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import closed
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -26,3 +27,6 @@ from deburr_grammar.problem import Problem
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the expression from its bracket on."""
     yield Report(whole(problem), f"`{line.said(problem)}` is not closed{expected(problem)}")
+
+
+fix = closed("]")

@@ -18,6 +18,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, bracketed
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -26,3 +28,8 @@ from deburr_grammar.problem import Problem
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the function's name."""
     yield Report(whole(problem), f"`{line.said(problem)}` needs its argument in brackets, `{line.said(problem)}[...]`")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Put the value behind it into brackets."""
+    yield from bracketed(broken, "[]")

@@ -31,6 +31,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
 from deburr.rules.rs274._words import UNKNOWN, governs, motion, report, said, words
@@ -51,3 +53,9 @@ def check(line: Line, state: State) -> Iterator[Report]:
         yield report(
             line, at, f"`{said(line, at)}` names a point of the machine, but steps are in force; write `G90` beside it"
         )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Move in absolute coordinates."""
+    if "write `G90` beside it" in broken.finding.message:
+        yield broken.inserted(broken.span.start, "G90 ")

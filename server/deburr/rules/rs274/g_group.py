@@ -25,6 +25,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import deleted
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._words import clashes
 from deburr_grammar.tree import Node
@@ -34,3 +35,6 @@ from deburr_grammar.tree import Node
 def check(line: Line, _: Node) -> Iterator[Report]:
     """Report each code behind the first of its group."""
     yield from clashes(line, "G", "the control takes one of them on a line")
+
+
+fix = deleted

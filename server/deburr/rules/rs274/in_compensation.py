@@ -40,6 +40,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import line_before
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
 from deburr.rules.rs274._words import governs, in_force, motion, report, said, words
@@ -82,3 +83,6 @@ def check(line: Line, state: State) -> Iterator[Report]:
 
 def _is_other_plane(code: str, state: State) -> bool:
     return code in _PLANES and in_force(state, "plane") not in (None, code)
+
+
+fix = line_before

@@ -27,6 +27,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import line_before
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
 from deburr.rules.rs274._words import governs, motion, report, said, words
@@ -45,3 +46,6 @@ def check(line: Line, state: State) -> Iterator[Report]:
         yield report(
             line, at, f"`{said(line, at)}` works in the plane XZ, and `{plane}` is in force; write `G18` before it"
         )
+
+
+fix = line_before

@@ -31,9 +31,11 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr_grammar.document import Piece
-from deburr_grammar.text import Span
+from deburr_grammar.text import Edit, Pos, Span
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
@@ -67,3 +69,15 @@ def _joined(piece: Piece, following: Piece | None) -> int | None:
     last = chunk.starts[-2]
     match = _JOINED.search(chunk.text[last:] + following.chunk.text)
     return last + match.start() if match and match.start() < len(chunk.text) - last else None
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """End all lines with line feeds."""
+    document = broken.document
+    ends: list[Edit] = []
+    for piece in document.pieces():
+        for index in range(piece.chunk.eols):
+            if piece.chunk.ending(index) == "\r":
+                line = piece.line + index
+                ends.append(Edit(Pos(line, len(document.line(line))), Pos(line + 1, 0), "\n"))
+    yield Fix("End all lines with line feeds", tuple(ends))

@@ -36,6 +36,8 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Syntax, rule
 from deburr_grammar.problem import Problem
 from deburr_grammar.text import Span
@@ -50,3 +52,10 @@ def check(line: Line, part: Problem | Node) -> Iterator[Report]:
         yield Report(place, f"`{said}`: a line number is `N` and an unsigned number, once, at the start of the line")
     elif not re.fullmatch("[0-9]{1,5}", "".join(said[1:].split())):
         yield Report(place, f"`{said}` is no line number from 0 to 99999")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Leave the number out: it means nothing to the control."""
+    number = re.match(r"N\s*[-+]?[0-9.]*", broken.text[broken.span.start :], re.I)
+    if number is not None:
+        yield broken.deleted(broken.span.start, broken.span.start + number.end())

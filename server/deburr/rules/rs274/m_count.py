@@ -17,6 +17,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import split
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._words import report, said, sharing, words
 from deburr_grammar.tree import Node
@@ -34,3 +35,6 @@ def check(line: Line, _: Node) -> Iterator[Report]:
     many = [at for at, letter in enumerate(found.letters) if letter == "M"]
     for at in many[_MOST:]:
         yield report(line, at, f"`{said(line, at)}` is the fifth M code or later; the control takes four on a line")
+
+
+fix = split

@@ -26,6 +26,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import split
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._words import clashes
 from deburr_grammar.tree import Node
@@ -35,3 +36,6 @@ from deburr_grammar.tree import Node
 def check(line: Line, _: Node) -> Iterator[Report]:
     """Report each code behind the first of its group."""
     yield from clashes(line, "M", "write one of them on a line of its own")
+
+
+fix = split

@@ -31,6 +31,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, moved_above
 from deburr.rule import Line, Report, Severity, Text, rule
 from deburr.rules.rs274._comments import ACTIVE, active, comments
 from deburr_grammar.text import Span
@@ -46,3 +48,12 @@ def check(line: Line) -> Iterator[Report]:
         if word := active(line, comment):
             message = f"this `{word}` is passed over: {why}; give it a line of its own"
             yield Report(Span(comment.start, comment.end), message)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Give it a line of its own: behind an O-word, before everything else."""
+    if "beside an O-word" not in broken.finding.message:
+        yield from moved_above(broken)
+        return
+    out, end = broken.deleted(*broken.span).edits[0], len(broken.text)
+    yield Fix("Write it on the next line", (out, broken.edit(end, end, f"\n{broken.indent}{broken.said}")))

@@ -34,6 +34,8 @@ from collections.abc import Iterator
 
 from deburr.arithmetic import ArithmeticFault
 from deburr.arithmetic.rs274 import constant
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
@@ -73,3 +75,8 @@ def _operator(line: Line, part: Node | Token) -> str:
         if isinstance(part, Node) and part.kind == "logical"
         else ""
     )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Put into brackets what is taken together."""
+    yield broken.replaced(f"[{broken.said}]", safe=True)

@@ -25,6 +25,8 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Text, rule
 from deburr.rules.rs274._comments import comments
 from deburr_grammar.text import Span
@@ -44,3 +46,8 @@ def check(line: Line) -> Iterator[Report]:
             word = "".join(match[1].split()).upper()
             message = f"LinuxCNC takes this for a plain comment and shows nothing; write `({word},`"
             yield Report(Span(*match.span()), message)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write it as LinuxCNC reads it."""
+    yield broken.replaced(broken.quoted[-1])

@@ -16,8 +16,11 @@ Good:
     #<depth>=3
 """
 
+import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -26,3 +29,10 @@ from deburr_grammar.problem import Problem
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report from the name's sign on."""
     yield Report(whole(problem), f"`{line.said(problem)}` has no `>` that ends the name")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """End the name behind its first word."""
+    name = re.match(r"[#o]\s*<\s*\w+", broken.said, re.I)
+    if name is not None:
+        yield broken.inserted(broken.span.start + name.end(), ">")

@@ -21,8 +21,11 @@ Good:
     o1 endif
 """
 
+import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -31,3 +34,11 @@ from deburr_grammar.problem import Problem
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the command."""
     yield Report(whole(problem), f"`{line.said(problem)}` needs its value in brackets, `{line.said(problem)} [...]`")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Put all that follows into brackets."""
+    rest = re.match(r"\s*([^\s;(\[][^;(]*?)\s*(?=$|[;(])", broken.text[broken.span.end :])
+    if rest is not None:
+        start, end = (broken.span.end + at for at in rest.span(1))
+        yield Fix(f"Write `[{rest[1]}]`", (broken.edit(start, end, f"[{rest[1]}]"),))

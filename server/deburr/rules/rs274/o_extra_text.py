@@ -28,6 +28,8 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, split
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr.rules.rs274._characters import foreign
 from deburr_grammar.problem import Problem
@@ -53,3 +55,11 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
 
 
 _BARE = re.compile(r"[-+]?(?:[0-9.]+|#<?\w+>?)")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Put a value into brackets; all else goes on a line of its own."""
+    if "stands in brackets" in broken.finding.message:
+        yield broken.replaced(f"[{broken.said}]")
+    else:
+        yield from split(broken)

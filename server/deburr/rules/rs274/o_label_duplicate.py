@@ -45,7 +45,10 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from deburr.blockfix import highest, renumbered
 from deburr.blocks import DEEPEST, Block
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import label, note, said
 
@@ -80,3 +83,8 @@ def _reached_before(first: Block, second: Block) -> bool:
         return False
     between = first.around.middles[first.before : same.before]
     return not any(placed.bracket.word in ("else", "elseif") for placed in between)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Give the block a number that nothing else has."""
+    yield from renumbered(broken, highest(broken, r"\bO") + 1)

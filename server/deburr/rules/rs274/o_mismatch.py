@@ -41,6 +41,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from deburr.blocks import outward
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import end, label, misspelt, note, said
 from deburr_grammar.structure import Fault, Placed
@@ -71,3 +73,9 @@ def _branch(placed: Placed, start: Placed) -> Iterator[Report]:
     if len({bracket.label, opener.label} - {None}) > 1:
         message = f"{said(bracket)} stands in {said(opener)}; `{label(opener)} {bracket.word}` is expected"
         yield Report(bracket.span, message, placed.line, (note(start, "is open here"),))
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the end that is expected."""
+    if "is expected" in broken.finding.message and broken.quoted[0] == broken.said:
+        yield broken.replaced(broken.quoted[-1])

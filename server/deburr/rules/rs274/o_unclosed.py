@@ -35,6 +35,9 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.blockfix import ended
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Structure, rule
 from deburr.rules.rs274._o_words import end, misspelt, note, said
 from deburr_grammar.structure import Fault, StructureFault
@@ -48,3 +51,10 @@ def check(fault: StructureFault) -> Iterator[Report]:
         return
     related = (note(fault.other, "is reached first"),) if fault.other is not None else ()
     yield Report(opener.span, f"{said(opener)} is never closed; {end(opener)} is missing", fault.at.line, related)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Add the missing end; that of a `do` has a condition, which only its writer knows."""
+    end = broken.quoted[1]
+    if "is missing" in broken.finding.message and not end.endswith("while"):
+        yield from ended(broken, end)

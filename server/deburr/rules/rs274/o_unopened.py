@@ -28,6 +28,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from deburr.blocks import outward
+from deburr.fix import line_deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import label, misspelt, said
 from deburr_grammar.structure import Fault
@@ -50,3 +51,6 @@ def check(analysis: "Analysis") -> Iterator[Report]:
             if branch and not any(block.opener.bracket.kind == "if" for block in outward(inside)):
                 message = f"{said(bracket)} belongs to no `if`; `{label(bracket)} if` is missing"
                 yield Report(bracket.span, message, placed.line)
+
+
+fix = line_deleted

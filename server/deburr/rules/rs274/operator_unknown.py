@@ -28,6 +28,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, advised
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.rules.rs274._characters import foreign
 from deburr.suggest import suggestion
@@ -89,3 +91,15 @@ _MEANT = {
     "&": "AND",
     "|": "OR",
 }
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the operator that is meant, the bracket that is missing, or leave the comment out."""
+    message = broken.finding.message
+    if "is missing before" in message:
+        start = len(broken.text[: broken.span.start].rstrip())
+        yield broken.inserted(start, "]")
+    elif "inside an expression" in message:
+        yield broken.deleted(*broken.span)
+    else:
+        yield from advised(broken)

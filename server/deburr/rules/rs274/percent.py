@@ -61,9 +61,11 @@ Good (whole):
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from deburr.finding import Fix
+from deburr.fix import Broken, line_deleted
 from deburr.rule import Report, Severity, Whole, rule, whole
 from deburr.rules.rs274._frame import ends, is_part, may_end, percents, starts_with_percent
-from deburr_grammar.text import Span
+from deburr_grammar.text import Edit, Pos, Span
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
@@ -90,3 +92,16 @@ def check(analysis: "Analysis") -> Iterator[Report]:
 def _sign(text: str) -> Span:
     at = text.index("%")
     return Span(at, at + 1)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Leave it alone on its line, take it out where it comes too late, add the second one."""
+    message = broken.finding.message
+    if "must be alone" in message and "(" not in broken.said:
+        yield Fix("Make it a comment on a line of its own", (broken.edit(*broken.span, f"\n({broken.said})"),))
+    elif "comes too late" in message:
+        yield from line_deleted(broken)
+    elif "no second one" in message:
+        at = Pos(broken.document.line_count, 0)
+        ending = "" if not broken.document.line(broken.document.line_count - 1) else "\n"
+        yield Fix("Add `%` at the end", (Edit(at, at, f"{ending}%\n"),))

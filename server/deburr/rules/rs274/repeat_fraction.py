@@ -21,9 +21,12 @@ Good:
     o3 endrepeat
 """
 
+import re
 from collections.abc import Iterator
 
 from deburr.arithmetic.rs274 import constant
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._values import NEAR
 from deburr_grammar.text import Span
@@ -39,3 +42,10 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         turns = max(0, round(value))
         message = f"`{line.said(count)}` is no integer; the control rounds it and repeats {turns} times"
         yield Report(Span(count.start, count.end), message)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the number of passes that the control makes."""
+    passes = re.search(r"repeats ([0-9]+) time", broken.finding.message)
+    if passes is not None:
+        yield broken.replaced(f"[{passes[1]}]")

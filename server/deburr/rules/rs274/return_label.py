@@ -29,6 +29,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from deburr.blocks import outward
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import note, said
 
@@ -47,3 +49,9 @@ def check(analysis: "Analysis") -> Iterator[Report]:
             if placed.bracket.word == "return" and label is not None and around.isdisjoint((label, None)):
                 message = f"{said(placed.bracket)} leaves {said(scope.start.bracket)}, whatever it names"
                 yield Report(placed.bracket.span, message, placed.line, (note(scope.start),))
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Name the subprogram that it leaves."""
+    label = broken.quoted[1].rpartition(" ")[0]
+    yield broken.replaced(f"{label} return", safe=True)

@@ -22,6 +22,8 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Text, rule
 from deburr.rules.rs274._comments import tail
 from deburr_grammar.text import Span
@@ -39,3 +41,10 @@ def check(line: Line) -> Iterator[Report]:
         word = match[1].upper()
         message = f"`;` makes this a plain comment, and `{word}` does nothing; write `({word},...)`"
         yield Report(Span(comment.start, len(line.text.rstrip())), message)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write it as a comment in brackets."""
+    inner = broken.said[1:].strip()
+    if not any(sign in inner for sign in "()"):
+        yield broken.replaced(f"({inner})")

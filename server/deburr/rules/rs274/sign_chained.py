@@ -23,6 +23,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
@@ -36,3 +38,10 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         pair = line.text[node.start : value.start + 1]
         said = line.text[value.start + 1 : value.end].strip()
         yield Report(Span(node.start, value.start + 1), f"`{said}` has two signs, `{pair}`; was one typed twice?")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write a sign once that stands there twice."""
+    signs = broken.said.replace(" ", "")
+    if len(set(signs)) == 1:
+        yield broken.replaced(signs[0])

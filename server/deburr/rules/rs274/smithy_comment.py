@@ -21,6 +21,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._comments import tail
 from deburr_grammar.text import Span
@@ -34,3 +36,10 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     if comment:
         end = len(line.text.rstrip())
         yield Report(Span(comment.start, end), "the SmithyCNC manual knows no `;` comments; write `(...)`")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write it as a comment in brackets."""
+    inner = broken.said[1:].strip()
+    if inner and not any(sign in inner for sign in "()"):
+        yield broken.replaced(f"({inner})", safe=True)

@@ -25,6 +25,7 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from deburr.fix import line_deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import said
 from deburr_grammar.structure import Fault
@@ -48,3 +49,6 @@ def check(analysis: "Analysis") -> Iterator[Report]:
                 f"{said(placed.bracket)} stands in no subprogram; the control stops here",
                 placed.line,
             )
+
+
+fix = line_deleted

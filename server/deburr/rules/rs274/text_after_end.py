@@ -49,11 +49,13 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._frame import percents, starts_with_percent
 from deburr_grammar.document import Piece
 from deburr_grammar.line import Shape
-from deburr_grammar.text import Span
+from deburr_grammar.text import Edit, Pos, Span
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
@@ -89,3 +91,13 @@ def _stretches(analysis: "Analysis", piece: Piece) -> tuple[tuple[bool, int | No
 
 def _first(first: int, shapes: list[Shape]) -> int | None:
     return next((at for at, shape in enumerate(shapes, first) if not _NOTHING.fullmatch(shape.text)), None)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Delete all that follows; calls look for subprograms behind the end, so where there are O-words it stays."""
+    count = broken.document.line_count
+    rest = [broken.document.line(at).strip() for at in range(broken.line, count)]
+    last = rest.index("%") if "%" in rest else len(rest)
+    if not any(re.search(r"\bO\s*[0-9<\[#]", text, re.I) for text in rest):
+        end = Pos(broken.line + last, 0) if last < len(rest) else Pos(count, 0)
+        yield Fix("Delete what is never read", (Edit(Pos(broken.line, 0), end, ""),))

@@ -24,6 +24,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -38,3 +40,10 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
         yield Report(whole(problem), f"`{said}` has no number or name{hint}")
     else:
         yield Report(whole(problem), f"`{said}` has no value{hint}")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the digit in place of the letter that looks like it."""
+    end = broken.span.end
+    if "for the digit write `0`" in broken.finding.message and broken.text[end : end + 1] in "Oo":
+        yield Fix("Change to `0`", (broken.edit(end, end + 1, "0"),))

@@ -57,6 +57,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, moved_above
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
 from deburr.rules.rs274._words import ARCS, TAKES_AXES, Words, governs, in_force, motion, report, said, values, words
@@ -124,3 +126,9 @@ def _in_g10(found: Words, numbers: dict[str, float | None]) -> Iterator[tuple[in
         yield found.first("I", "J"), "is an angle of a lathe tool; `G10 L2` sets a coordinate system and takes none"
     if kind in (None, 20.0) and "R" in found.has:
         yield found.first("R"), "stands beside `G10 L20`, which turns nothing; a rotation is set by `G10 L2`"
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the word on a line of its own."""
+    if "write it on another line" in broken.finding.message:
+        yield from moved_above(broken)

@@ -22,6 +22,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import deleted
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._words import report, said, words
 from deburr_grammar.tree import Node
@@ -39,3 +40,6 @@ def check(line: Line, _: Node) -> Iterator[Report]:
                 at,
                 f"`{said(line, at)}` is a second {letter} word beside `{said(line, first)}`; the control takes one on a line",
             )
+
+
+fix = deleted

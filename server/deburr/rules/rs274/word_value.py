@@ -70,6 +70,7 @@ Good:
 from collections.abc import Iterator
 from math import floor
 
+from deburr.fix import advised
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
 from deburr.rules.rs274._words import ARCS, CYCLES, Words, governs, motion, report, said, starts, values, words
@@ -202,3 +203,6 @@ def _is_orientation(number: float) -> bool:
 
 def _whole(number: float, near: float) -> bool:
     return abs(number - round(number)) <= near
+
+
+fix = advised

@@ -25,6 +25,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.z32._fields import empty_places
 from deburr_grammar.text import Span
@@ -38,3 +40,12 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         yield Report(
             Span(left.start, right.end), "there is no instruction between these separators; nothing is done here"
         )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Leave a separator out that parts nothing."""
+    signs = broken.said.replace(" ", "")
+    if signs in ("!;", ";!", ";;"):
+        yield broken.replaced(signs.strip(";") or ";", safe=True)
+    elif signs == "!!":
+        yield broken.deleted(*broken.span) if broken.text.count("!") == 2 else broken.replaced("!")

@@ -22,6 +22,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, deleted, split
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr.rules.z32._fields import trailing_block
 from deburr_grammar.tree import Node
@@ -36,3 +38,8 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         yield Report(
             whole(block), f"`{line.said(block)}` stands behind an advanced line; words need a line of their own"
         )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write both on lines of their own, or take out a lone sign."""
+    yield from deleted(broken) if broken.said == "!" else split(broken)

@@ -23,6 +23,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import closed
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr.rules.z32._fields import terminated, trailing_block
 from deburr_grammar.tree import Node
@@ -35,3 +36,6 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         yield Report(
             whole(node), "the advanced line is never closed and the control refuses it; `!` is missing at its end"
         )
+
+
+fix = closed("!")

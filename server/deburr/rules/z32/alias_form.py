@@ -25,6 +25,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import advised
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr.rules.z32._alias import axes, letters
 from deburr_grammar.tree import Node
@@ -43,3 +44,6 @@ def _way_out(said: str) -> str:
     if joined != said and len(set(joined)) == len(joined) == 3:
         return f"write `G25{joined}` without blanks"
     return "write three letters without blanks, as in `G25XYZ`"
+
+
+fix = advised

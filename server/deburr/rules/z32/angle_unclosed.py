@@ -21,6 +21,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import closed
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -31,3 +32,6 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
     message = f"`{line.said(problem)}` is never closed, so the control cannot read the line; `>` is missing"
     stores = "!" in line.text[: problem.start]
     yield Report(whole(problem), message + (", or the `IF` before a comparison" if stores else ""))
+
+
+fix = closed(">")

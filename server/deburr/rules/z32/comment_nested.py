@@ -19,6 +19,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -28,3 +30,10 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the inner comment."""
     message = f"`{line.said(problem)}` stands inside a comment, which ends at its `)`; the rest is read as words"
     yield Report(whole(problem), message)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write other brackets in the comment."""
+    inner = broken.said
+    if inner.startswith("(") and inner.endswith(")") and inner.count("(") == inner.count(")") == 1:
+        yield broken.replaced(f"[{inner[1:-1]}]")

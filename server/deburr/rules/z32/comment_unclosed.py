@@ -18,6 +18,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import closed
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -26,3 +27,6 @@ from deburr_grammar.problem import Problem
 def check(line: Line, problem: Problem) -> Iterator[Report]:
     """Report the comment."""
     yield Report(whole(problem), "the comment is never closed, so the rest of the line is lost in it; `)` is missing")
+
+
+fix = closed(")")

@@ -17,6 +17,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import corrected, safe
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
@@ -31,3 +32,6 @@ def check(line: Line, node: Node) -> Iterator[Report]:
             Span(dollar.start, dollar.end),
             f"`{line.said(dollar)}` is read as `$FCEPP`; other readers may ignore the line",
         )
+
+
+fix = safe(corrected)

@@ -19,8 +19,11 @@ Good:
     !IF HA>1; GOP1; EB! HA=2!
 """
 
+import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr.rules.z32._fields import STOPS, groups
 from deburr_grammar.tree import Node
@@ -43,3 +46,10 @@ def check(line: Line, node: Node) -> Iterator[Report]:
             skips = skips or field.kind == "if"
             if field.kind in STOPS:
                 reached, stopped = False, line.said(field)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Leave it out, with the separator before it."""
+    before = re.search(r"\s*;\s*$", broken.text[: broken.span.start])
+    if before is not None:
+        yield Fix(f"Delete `{broken.said}`", (broken.edit(before.start(), broken.span.end, ""),))

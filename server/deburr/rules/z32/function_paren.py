@@ -19,6 +19,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken, bracketed
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -30,3 +32,8 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
     yield Report(
         whole(problem), f"`{said}` needs its argument in parentheses, `{said}(...)`; the control refuses the line"
     )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Put the value behind it into parentheses."""
+    yield from bracketed(broken, "()")

@@ -38,6 +38,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.z32._called import Program, calls, main_part, programs_of
 from deburr.rules.z32._flow import flow
@@ -77,3 +79,10 @@ def _end(program: Program) -> tuple[int, Span]:
     text = program.analysis.document.line(line)
     start, end = len(text) - len(text.lstrip()), len(text.rstrip())
     return line, Span(start, end) if start < end else Span(0, 1)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """End the section behind this block."""
+    if "behind this block" in broken.finding.message:
+        end = len(broken.text)
+        yield Fix("Add `G26`", (broken.edit(end, end, f"\n{broken.indent}G26"),))

@@ -22,6 +22,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import line_deleted
 from deburr.rule import Report, Severity, Whole, rule, whole
 from deburr.rules.z32._program import is_main, lines, sections
 
@@ -38,3 +39,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
                     yield Report(
                         whole(word), "`G26` ends a subprogram; in the main program the control stops here", line
                     )
+
+
+fix = line_deleted

@@ -21,6 +21,7 @@ Good:
 from collections.abc import Iterator
 from itertools import pairwise
 
+from deburr.fix import deleted
 from deburr.rule import Line, Report, Severity, Text, rule, whole
 from deburr_grammar.codes import code_number
 from deburr_grammar.tree import Node
@@ -43,3 +44,6 @@ def _grouped(line: Line) -> Iterator[tuple[str, str, Node]]:
         entry = line.node.dialect.codes.entry("code", code)
         if entry is not None:
             yield str(entry.more.get("group")), code, word
+
+
+fix = deleted

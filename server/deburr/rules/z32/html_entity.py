@@ -19,6 +19,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import corrected, safe
 from deburr.rule import Line, Report, Severity, Text, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import tokens
@@ -33,3 +34,6 @@ def check(line: Line) -> Iterator[Report]:
             yield Report(
                 Span(token.start, token.end), f"`{line.said(token)}` is read as `{sign}`; the control refuses it"
             )
+
+
+fix = safe(corrected)

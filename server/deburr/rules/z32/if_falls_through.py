@@ -22,6 +22,8 @@ Good:
 from collections.abc import Iterator
 from itertools import pairwise
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr.rules.z32._fields import STOPS, groups, terminated
 from deburr_grammar.tree import Node
@@ -37,3 +39,10 @@ def check(line: Line, node: Node) -> Iterator[Report]:
             condition = next(field for field in reversed(group) if field.kind == "if")
             message = f"`{line.said(behind[0])}` behind the `!` runs whether `{line.said(condition)}` holds or not"
             yield Report(whole(condition), f"{message}; `EB` before the `!` makes it the other branch")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """End the block in the first branch."""
+    end = broken.text.find("!", broken.span.end)
+    if end >= 0:
+        yield broken.inserted(len(broken.text[:end].rstrip()), "; EB")

@@ -24,8 +24,11 @@ Good:
     !IF (HA+1)*2>=5; HA=1!
 """
 
+import re
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.rules.z32._words import INSTRUCTIONS
 from deburr_grammar.problem import Problem
@@ -61,3 +64,9 @@ _WORDS = {
     "GE": "; not less is written `>=`",
     "LE": "; not greater is written `<=`",
 }
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the separator behind the condition."""
+    if broken.said[:1].isalpha() and re.search(r"expected .*`;` or `!`", broken.finding.message):
+        yield Fix("Insert `;`", (broken.edit(len(broken.text[: broken.span.start].rstrip()), broken.span.start, "; "),))

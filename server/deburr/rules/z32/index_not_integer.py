@@ -20,6 +20,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.arithmetic.z32 import integer, shown
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.z32._values import index, known
 from deburr_grammar.text import Span
@@ -34,3 +36,8 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     if value is not None and integer(value) is None:
         message = f"the index of `{line.said(node)}` is {shown(value)}, which is no integer; `NEI(...)` or `INT(...)` makes it one"
         yield Report(Span(part.start, part.end), message)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Round it to the nearest integer."""
+    yield broken.replaced(f"NEI({broken.said})")

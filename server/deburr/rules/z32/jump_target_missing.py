@@ -18,10 +18,13 @@ Good:
     N150.0 G0 X1
 """
 
+import re
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.arithmetic.z32 import shown
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.z32._nearest import meant
 from deburr.rules.z32._program import jumps, labels
@@ -34,3 +37,11 @@ def check(analysis: Analysis) -> Iterator[Report]:
         if jump.target is not None and not labels(analysis, jump.target):
             message = f"no block has the number N{shown(jump.target)}, so the control stops at this jump"
             yield Report(jump.target_span, message + meant(analysis, jump.target), jump.line)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Go to the nearest number that there is."""
+    near = re.search(r"the nearest is N([0-9]+)", broken.finding.message)
+    number = re.search(r"[0-9]+$", broken.said)
+    if near is not None and number is not None:
+        yield broken.replaced(broken.said[: number.start()] + near[1])

@@ -22,6 +22,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.z32._program import all_labels, entries, jumps
 
@@ -36,3 +37,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
     for value, label in all_labels(analysis):
         if value not in used:
             yield Report(label.span, "nothing jumps to this block number", label.line)
+
+
+fix = deleted

@@ -19,6 +19,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import corrected, safe
 from deburr.rule import Line, Report, Severity, Text, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import tokens
@@ -34,3 +35,6 @@ def check(line: Line) -> Iterator[Report]:
         if token.kind not in _FREE and said != said.upper():
             yield Report(Span(token.start, token.end), f"`{said}` is read as `{said.upper()}`; a control may refuse it")
             return
+
+
+fix = safe(corrected)

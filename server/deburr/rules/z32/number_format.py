@@ -30,6 +30,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
@@ -50,3 +52,9 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         case _:
             why = "is no number: digits with one `.` or `,` and no blank inside"
     yield Report(Span(start, node.end), f"`{said}` {why}")
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write sign and digits together."""
+    if "write them together" in broken.finding.message:
+        yield broken.replaced("".join(broken.said.split()))

@@ -17,9 +17,12 @@ Good:
     !PAL[1]=NEI(7/2)!
 """
 
+import re
 from collections.abc import Iterator
 
 from deburr.arithmetic.z32 import nearest, shown
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.z32._values import is_pal, known, stored
 from deburr_grammar.text import Span
@@ -34,3 +37,10 @@ def check(line: Line, node: Node) -> Iterator[Report]:
     if part is not None and value is not None and nearest(value) != value:
         message = f"`{line.said(node)}` holds integers, so {shown(nearest(value))} is stored; PAR keeps decimals"
         yield Report(Span(part.start, part.end), message)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the integer that is stored."""
+    stored = re.search(r"so (-?[0-9]+) is stored", broken.finding.message)
+    if stored is not None:
+        yield broken.replaced(stored[1])

@@ -21,6 +21,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -31,3 +33,10 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
     yield Report(
         whole(problem), f"`{line.said(problem)}` is never closed, so the control cannot read the line; `)` is missing"
     )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Close it where the expression ends."""
+    said = broken.said.rstrip()
+    inner = said.rstrip("> ") if said.endswith(">") and "<" not in said else said
+    yield broken.inserted(broken.span.start + len(inner), ")")

@@ -29,6 +29,8 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.rules.z32._words import INSTRUCTIONS, instruction_for
 from deburr_grammar.problem import Problem
@@ -83,3 +85,12 @@ def _hint(line: Line, problem: Problem) -> str:
     told = line.text[problem.end :].lstrip().startswith("=") or said[:1] in ("+", "-", ":", "$") or "$" in said
     told = told or said.upper().startswith(("FCEPP", "FECPP")) or said.upper() in ("O", "PAL", "PAR", *INSTRUCTIONS)
     return "" if told or instruction_for(said) else expected(problem)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Store the value in an advanced line."""
+    if "stores a value" in broken.finding.message:
+        whole = broken.quoted[-1].strip("!")
+        if broken.text.startswith(whole, broken.span.start):
+            end = broken.span.start + len(whole)
+            yield Fix(f"Write `!{whole}!`", (broken.edit(broken.span.start, end, f"!{whole}!"),))

@@ -1,4 +1,4 @@
-"""What can be done about findings: the spelling that was meant, and a comment that allows the rule. Each is proven: made in the program, the finding is gone and none is new on its line."""
+"""What can be done about findings: the fixes of their rules, and comments that allow them. Each is proven: made in the program, the finding is gone and none is new."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
+from deburr.fix import cures, fixes_of
 from deburr.suppress import is_allowed
 from deburr_grammar.text import Edit, Pos
 
@@ -15,52 +16,42 @@ if TYPE_CHECKING:
     from deburr.ide.view import View
     from deburr_grammar.document import Document
 
-_MEANT = re.compile(r"did you mean `([^`]+)`\?")
-_QUOTED = re.compile(r"`([^`]+)`")
 _ALLOWS = re.compile(r"deburr:[ \t]*allow[ \t]+")
 
 
-class Action(NamedTuple):
+class QuickFix(NamedTuple):
     """What is offered: its title, the finding that it is about, the edits, whether it is the thing to do."""
 
     title: str
     finding: Finding
     edits: tuple[Edit, ...]
-    preferred: bool
+    preferred: bool = False
 
 
-def actions(view: View, findings: Iterable[Finding]) -> list[Action]:
-    """All that can be done about findings of a program."""
-    found: list[Action] = []
+def quick_fixes(view: View, findings: Iterable[Finding]) -> list[QuickFix]:
+    """All that can be done about findings of a program, in its own text."""
+    analysis = Analysis(view.document, view.ruleset, view.file, view.host)
+    found: list[QuickFix] = []
     for finding in findings:
         if finding.place.file == view.file and finding.place.line < view.document.line_count:
-            found += [*_meant(view, finding), *_allowed(view, finding)]
+            found += [*_mended(analysis, finding), *_allowed(view, finding)]
     return found
 
 
-def _meant(view: View, finding: Finding) -> Iterator[Action]:
-    """The spelling that the message proposes, in place of what it quotes first."""
-    meant, quoted = _MEANT.search(finding.message), _QUOTED.search(finding.message)
-    if meant is None or quoted is None:
-        return
-    line, place = view.document.line(finding.place.line), finding.place
-    said = line[place.col : place.end_col]
-    at = said.lower().find(quoted[1].lower())
-    old = quoted[1] if at >= 0 else said
-    start = place.col + max(at, 0)
-    # What is proposed may be the bare name within what is quoted, or all of it.
-    edit = Edit(Pos(place.line, start), Pos(place.line, start + len(old)), meant[1])
-    if _cures(view, finding, (edit,)):
-        yield Action(f"Change to `{meant[1]}`", finding, (edit,), True)
+def _mended(analysis: Analysis, finding: Finding) -> Iterator[QuickFix]:
+    """What its rule would do; the first is the thing to do."""
+    proven = (fix for fix in fixes_of(analysis, finding) if cures(analysis, finding, fix.edits))
+    for number, fix in enumerate(proven):
+        yield QuickFix(fix.title, finding, fix.edits, number == 0)
 
 
-def _allowed(view: View, finding: Finding) -> Iterator[Action]:
+def _allowed(view: View, finding: Finding) -> Iterator[QuickFix]:
     """A comment on the line, or one more name in the one that is there; if the line takes none, one on the line above."""
     for edit in _comments(view.document, finding):
         after = view.document.edit(edit)
         moved = finding._replace(place=_below(finding, edit))
         if is_allowed(after, moved) and _same_line(view.document, after, finding.place.line, moved.place.line):
-            yield Action(f"Allow `{finding.rule}` here", finding, (edit,), False)
+            yield QuickFix(f"Allow `{finding.rule}` here", finding, (edit,))
             return
 
 
@@ -89,12 +80,3 @@ def _same_line(before: Document, after: Document, was: int, now: int) -> bool:
     old, new = before.node(was), after.node(now)
     kinds = [frozenset(kind for kind in node.kinds if "comment" not in kind.lower()) for node in (old, new)]
     return kinds[0] == kinds[1] and [p.kind for p in old.problems] == [p.kind for p in new.problems]
-
-
-def _cures(view: View, finding: Finding, edits: tuple[Edit, ...]) -> bool:
-    """Whether the edits take away what lines alone decide of the finding, and bring nothing new there."""
-    line = finding.place.line
-    before = {each.rule for each in Analysis(view.document, view.ruleset, view.file, view.host).line_findings(line)}
-    document = view.document.edit(*edits)
-    after = {each.rule for each in Analysis(document, view.ruleset, view.file, view.host).line_findings(line)}
-    return finding.rule not in after and after <= before

@@ -1,0 +1,279 @@
+"""What would mend a fault: edits that the fault's own rule makes of the program as it stands. Never made while a program is checked, never applied here.
+
+A rule's file may hold `fix`, a function of a `Broken` or one of those below; without it a fix is made where its message asks *did you mean*.
+A fix is safe only where it is certain what the program means: the control reads what it read before, or could only read that.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr_grammar.text import Edit, Pos, Span
+
+if TYPE_CHECKING:
+    from deburr.finding import Finding
+    from deburr_grammar.document import Document
+    from deburr_grammar.line import LineNode
+
+_QUOTED = re.compile(r"`([^`]+)`")
+_MEANT = re.compile(r"did you mean [`']([^`']+)[`']\?")
+_ADVISED = re.compile(r"(?:did you mean|write|written|type) `([^`]+)`(?! (?:for|to|or|and|beside|before|on|as)\b)")
+_BEFORE = re.compile(r"write `([^`]+)` before it")
+_AROUND = re.compile(r"(\|[ \t]*|#<|o<|#|@|')(.*?)([ \t]*\||>|'|)")
+"""Signs around a name, which a proposal may leave out."""
+
+
+class Broken(NamedTuple):
+    """A fault where it stands: what a fix is made from."""
+
+    analysis: Analysis
+    finding: Finding
+
+    @property
+    def document(self) -> Document:
+        """The program."""
+        return self.analysis.document
+
+    @property
+    def line(self) -> int:
+        """The line of the fault."""
+        return self.finding.place.line
+
+    @property
+    def text(self) -> str:
+        """The text of that line."""
+        return self.document.line(self.line)
+
+    @property
+    def node(self) -> LineNode:
+        """That line as it was read."""
+        return self.document.node(self.line)
+
+    @property
+    def span(self) -> Span:
+        """The columns of the fault."""
+        return Span(self.finding.place.col, min(self.finding.place.end_col, len(self.text)))
+
+    @property
+    def said(self) -> str:
+        """The text of the fault."""
+        return self.text[self.span.start : self.span.end]
+
+    @property
+    def quoted(self) -> list[str]:
+        """What the message quotes."""
+        return _QUOTED.findall(self.finding.message)
+
+    def edit(self, start: int, end: int, text: str) -> Edit:
+        """An edit of the line."""
+        return Edit(Pos(self.line, start), Pos(self.line, end), text)
+
+    def replaced(self, text: str, *, safe: bool = False) -> Fix:
+        """The fault's text is another."""
+        return Fix(f"Change to `{text}`", (self.edit(*self.span, text),), safe)
+
+    def inserted(self, col: int, text: str, *, safe: bool = False) -> Fix:
+        """More text in the line."""
+        return Fix(f"Insert `{text.strip()}`" if text.strip() else "Insert a blank", (self.edit(col, col, text),), safe)
+
+    def deleted(self, start: int, end: int, *, safe: bool = False) -> Fix:
+        """Less text in the line: with a blank beside it, and with the line if nothing else is on it."""
+        title = f"Delete `{self.text[start:end].strip()}`"
+        before, after = self.text[:start], self.text[end:]
+        if not before.strip() and not after.strip():
+            return Fix(title, (self.without_line(),), safe)
+        if before[-1:].isspace() or not before:
+            end += len(after) - len(after.lstrip()) if not before.strip() else 0
+            start = len(before.rstrip()) if before.strip() and (not after or after[0].isspace()) else start
+        return Fix(title, (self.edit(start, end, ""),), safe)
+
+    def without_line(self) -> Edit:
+        """The line is taken out, with its ending."""
+        if self.line + 1 < self.document.line_count:
+            return Edit(Pos(self.line, 0), Pos(self.line + 1, 0), "")
+        start = Pos(self.line - 1, len(self.document.line(self.line - 1))) if self.line else Pos(0, 0)
+        return Edit(start, Pos(self.line, len(self.text)), "")
+
+    @property
+    def indent(self) -> str:
+        """The blanks before the line."""
+        return self.text[: len(self.text) - len(self.text.lstrip())]
+
+
+_PROVEN = 500
+"""Findings of a program whose fixes are tried: each costs as much as the check of a few lines, several times."""
+Fixer = Callable[[Broken], Iterator[Fix]]
+
+
+def fixes_of(analysis: Analysis, finding: Finding) -> list[Fix]:
+    """All that the rule of a finding would do about it, the best first; nothing where the finding stands in another file."""
+    rule = analysis.ruleset.named(finding.rule.partition(".")[2])
+    if (
+        rule is None
+        or finding.place.file != analysis.file
+        or not 0 <= finding.place.line < analysis.document.line_count
+    ):
+        return []
+    return list((rule.fix or meant)(Broken(analysis, finding)))
+
+
+def proven(analysis: Analysis, finding: Finding) -> Fix | None:
+    """The first fix of a finding that holds as far as its lines and the blocks decide."""
+    return next((fix for fix in fixes_of(analysis, finding) if cures(analysis, finding, fix.edits)), None)
+
+
+def with_fixes(analysis: Analysis, findings: Iterable[Finding]) -> Iterator[Finding]:
+    """The findings with what would mend them. Where there are very many, the last ones' rules are taken at their word."""
+    for number, finding in enumerate(findings):
+        fix = proven(analysis, finding) if number < _PROVEN else next(iter(fixes_of(analysis, finding)), None)
+        yield finding if fix is None else finding._replace(fix=fix)
+
+
+def applied(document: Document, edits: Iterable[Edit]) -> Document:
+    """The program behind edits of which none touches another."""
+    return document.edit(*sorted(edits, reverse=True))
+
+
+def cures(analysis: Analysis, finding: Finding, edits: Iterable[Edit]) -> bool:
+    """Whether edits take away what lines and blocks decide of a finding, and bring nothing new: costs what they touch."""
+    edits = sorted(edits)
+    after = Analysis(applied(analysis.document, edits), analysis.ruleset, analysis.file, analysis.host)
+    was = _said(analysis, {line for edit in edits for line in range(edit.start.line, edit.end.line + 1)})
+    now = _said(after, set(_behind(edits)))
+    same = (finding.rule, finding.message)
+    if was[same] and now[same] >= was[same]:
+        return False
+    return not _by_rule(now) - _by_rule(was)
+
+
+def _behind(edits: Iterable[Edit]) -> Iterator[int]:
+    """The lines that edits, the first first, have touched, as they are numbered afterwards."""
+    shift = 0
+    for edit in edits:
+        first = edit.start.line + shift
+        yield from range(first, first + edit.text.count("\n") + 1)
+        shift += edit.text.count("\n") - (edit.end.line - edit.start.line)
+
+
+def _said(analysis: Analysis, lines: Iterable[int]) -> Counter[tuple[str, str]]:
+    """What is said of lines, and of the blocks: rules and messages."""
+    count = analysis.document.line_count
+    found = [each for line in lines if line < count for each in analysis.line_findings(line)]
+    for fault in analysis.document.faults if analysis.ruleset.on_structure else ():
+        found += analysis.fault_findings(fault)
+    return Counter((each.rule, each.message) for each in found)
+
+
+def _by_rule(said: Counter[tuple[str, str]]) -> Counter[str]:
+    return Counter(rule for rule, _ in said.elements())
+
+
+def meant(broken: Broken) -> Iterator[Fix]:
+    """The name that the message asks for: did you mean `X`?"""
+    yield from _proposed(broken, _MEANT)
+
+
+def advised(broken: Broken) -> Iterator[Fix]:
+    """What the message says to write, in place of what it quotes first."""
+    yield from _proposed(broken, _ADVISED)
+
+
+def _proposed(broken: Broken, pattern: re.Pattern[str]) -> Iterator[Fix]:
+    proposal = pattern.search(broken.finding.message)
+    if proposal is None or not broken.quoted:
+        return
+    old = broken.quoted[0]
+    at = broken.said.lower().find(old.lower())
+    if at < 0:
+        at, old = broken.text.lower().find(old.lower(), broken.span.start) - broken.span.start, old
+    around = _AROUND.fullmatch(old)
+    new = proposal[1]
+    if around is not None and not new.startswith(around[1].rstrip()):
+        new = f"{around[1]}{new}{around[3]}"
+    if at >= 0 and new != old:
+        start = broken.span.start + at
+        yield Fix(f"Change to `{new}`", (broken.edit(start, start + len(old), new),))
+
+
+def corrected(broken: Broken) -> Iterator[Fix]:
+    """What the message quotes second, in place of the fault: `a` is read as `A`."""
+    if len(broken.quoted) > 1 and broken.quoted[0] == broken.said:
+        yield broken.replaced(broken.quoted[1])
+
+
+def deleted(broken: Broken) -> Iterator[Fix]:
+    """The fault is left out."""
+    yield broken.deleted(*broken.span)
+
+
+def line_deleted(broken: Broken) -> Iterator[Fix]:
+    """The line is left out, if the fault is all that is on it."""
+    if broken.said.strip() == broken.text.strip():
+        yield Fix("Delete the line", (broken.without_line(),))
+
+
+def split(broken: Broken) -> Iterator[Fix]:
+    """The line ends before the fault, and another begins with it."""
+    before = broken.text[: broken.span.start]
+    if before.strip():
+        edit = broken.edit(len(before.rstrip()), broken.span.start, f"\n{broken.indent}")
+        yield Fix("Split the line here", (edit,))
+
+
+def moved_above(broken: Broken) -> Iterator[Fix]:
+    """The fault stands on a line of its own, above."""
+    out = broken.deleted(*broken.span)
+    if out.edits[0].start.line == out.edits[0].end.line:
+        above = Edit(Pos(broken.line, 0), Pos(broken.line, 0), f"{broken.indent}{broken.said}\n")
+        yield Fix(f"Write `{broken.said}` on a line of its own", (above, *out.edits))
+
+
+def line_before(broken: Broken) -> Iterator[Fix]:
+    """A line before the fault's: write `X` before it."""
+    wanted = _BEFORE.search(broken.finding.message)
+    if wanted is not None:
+        yield Fix(f"Write `{wanted[1]}` before it", (broken.edit(0, 0, f"{broken.indent}{wanted[1]}\n"),))
+
+
+def closed(sign: str) -> Fixer:
+    """A closing sign where the fault ends."""
+
+    def fixer(broken: Broken) -> Iterator[Fix]:
+        end = broken.span.start + len(broken.said.rstrip())
+        yield broken.inserted(end, sign)
+
+    return fixer
+
+
+def safe(fixer: Fixer) -> Fixer:
+    """The same, where it is certain what the program means."""
+
+    def sure(broken: Broken) -> Iterator[Fix]:
+        return (fix._replace(safe=True) for fix in fixer(broken))
+
+    return sure
+
+
+def either(*fixers: Fixer) -> Fixer:
+    """What the first of several makes that makes anything."""
+
+    def fixer(broken: Broken) -> Iterator[Fix]:
+        yield from next((found for each in fixers if (found := list(each(broken)))), ())
+
+    return fixer
+
+
+_VALUE = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+|#[0-9]+|#<[^<>]+>|[A-Z]+(?![A-Z(])))", re.I)
+
+
+def bracketed(broken: Broken, signs: str) -> Iterator[Fix]:
+    """The value behind the fault in brackets."""
+    value = _VALUE.match(broken.text, broken.span.end)
+    if value is not None:
+        text = f"{signs[0]}{value[1]}{signs[1]}"
+        yield Fix(f"Write `{broken.said}{text}`", (broken.edit(*value.span(), text),))
