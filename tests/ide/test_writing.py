@@ -11,33 +11,90 @@ from deburr.ide.signature import signature
 from deburr_grammar.dialects import by_name
 from support.views import at_cursor
 
+FILES = {
+    "metagcode": {"Snippets__part": "", "Snippets__deep__more": "", "job_vars": "Width=3\nDepth=4\n"},
+    "rs274": {"ext_ngc": "o<ext> sub\no<ext> endsub\n", "subs__far_ngc": ""},
+    "cgt": {},
+    "z32": {"cmos__7_z32": "G1\n:12\nG26\n", "root__A__b_txt": "", "root__c_txt": ""},
+}
+SETTINGS: dict[str, dict[str, object]] = {
+    "metagcode": {"variables": "job.vars"},
+    "rs274": {"subroutine-path": ("/job/subs",)},
+    "cgt": {},
+    "z32": {"cmos-dir": "cmos", "file-root": "root", "pal": {"300": 5}},
+}
+SUBS = "o<drill> sub\n#<inner>=1\no<drill> endsub\n#<x>=1\n#<_g>=2\n"
+TEMPLATE = "@DECLARE\n#DEC #depth\n@\n@SUB\nx\n@\n@LINE\n"
+BLOCKS = "(P)\nN10 G1\n!HA=1!\n:5\nN20\n!PAL[3]=1!\n"
+
 
 @pytest.mark.parametrize(
     ("dialect", "text", "first"),
     [
         ("rs274", "G1 X[SI<|>\n", ["SIN[", "SQRT["]),
-        ("rs274", "o<dr<|>\no<drill> sub\no<drill> endsub\n", ["o<drill>"]),
+        ("rs274", f"{SUBS}o<|>\n", ["o<drill>", "o<ext>", "o<far>"]),
+        ("rs274", f"{SUBS}o<dr<|>\n", ["o<drill>", "o<ext>", "o<far>"]),
+        ("rs274", "o7 while [1]\no<|>\n", ["o7 endwhile", "o<ext>"]),
+        ("rs274", "o<a> do\no<|>\n", ["o<a> while ["]),
+        ("rs274", f"{SUBS}o<drill> ca<|>\n", ["call", "continue"]),
         ("rs274", "G<|>\n", ["G0", "G1", "G2"]),
-        ("rs274", "#<a>=1\nG1 X#<|>\n", ["#<a>"]),
+        ("rs274", "G1 G<|>\n", ["G4", "G5.3", "G7"]),
+        ("rs274", "M3 M<|>\n", ["M0", "M1", "M2", "M6"]),
+        ("rs274", f"{SUBS}G1 X#<<|>\n", ["#<_g>", "#<x>", "#<_a>"]),
+        ("rs274", f"{SUBS}G1 X#<|>\n", ["#<_g>", "#<x>", "#<_a>"]),
         ("rs274", "o1 wh<|>\n", ["while"]),
+        ("rs274", "o1 if [#1 <|>\n", ["MOD", "EQ", "NE", "GT"]),
+        ("rs274", "(de<|>\n", ["DEBUG, "]),
+        ("rs274", "(hello) ; <|>\n", []),
         ("metagcode", "#<|>\n", ["#FILE", "#IF", "#ENDIF", "#LOOP", "#ENDLOOP"]),
-        ("metagcode", "#IF1 |a| <|>\n", ["greaterthan", "lessthan", "equalto", "notequalto", "|a|"]),
+        ("metagcode", "#LOOP3 |a| 5 c\n#END<|>\n", ["#ENDLOOP3", "#FILE"]),
+        ("metagcode", "#IF1 |a| <|>\n", ["greaterthan", "lessthan", "equalto", "notequalto"]),
+        ("metagcode", "#IF1 <|>\n", ["|Width|", "|Depth|"]),
+        ("metagcode", "#IF1 |a| equalto <|>\n", ["|a|", "|Width|", "|Depth|"]),
+        ("metagcode", "#IF1 |a| equalto 1 <|>\n", ["alpha", "numeric"]),
+        ("metagcode", "#LOOP1 |a| <|>\n", ["|a|", "|Width|", "|Depth|"]),
         ("metagcode", "#LOOP1 |a| 5 <|>\n", ["c", "r"]),
         ("metagcode", "#FILE <|>\n", ["part", "deep/more"]),
-        ("metagcode", "X|a|\nY|<|>\n", ["|a|"]),
+        ("metagcode", "X|a|\nY|<|>\n", ["|a|", "|Width|", "|Depth|"]),
+        ("metagcode", "G1 X<|>\n", []),
         ("cgt", "@LINE\n#XP<|>\n@\n", ["#ABSI", "#ADIR", "#ARAD"]),
-        ("cgt", "@LINE\n#CALL(<|>\n@\n@SUB\nx\n@\n", ["LINE", "SUB"]),
-        ("cgt", "@LINE\n#EVAL(#V1=S<|>\n@\n", ["SGN(", "SIN(", "SQR("]),
-        ("z32", "(P)\nN10 G1\n!GON<|>\n!GON10!\n", ["N10"]),
-        ("z32", "(P)\n!HC=1!\nX<<|>\n", ["ABS("]),
-        ("z32", "(P)\n!<|>\n", ["IF", "EB", "CP"]),
+        ("cgt", f"{TEMPLATE}#<|>", ["#depth", "#ABSI"]),
+        ("cgt", f"{TEMPLATE}@<|>", ["@ARC", "@CYCLCHG", "@DWELL", "@END"]),
+        ("cgt", f"{TEMPLATE}#CALL(<|>\n@\n", ["DECLARE", "LINE", "SUB"]),
+        ("cgt", f"{TEMPLATE}#TABLE(SUB,<|>\n@\n", ["#depth", "#ABSI"]),
+        ("cgt", f"{TEMPLATE}#EVAL(<|>\n@\n", ["#depth", "#ABSI"]),
+        ("cgt", f"{TEMPLATE}#FMT(<|>\n@\n", ["#F_BlockNumber", "#F_Decimal", "#F_Integer", "#F_Offset", "#depth"]),
+        ("cgt", f"{TEMPLATE}#FMT(#F_Decimal,<|>\n@\n", ["D", "E", "F", "L", "P", "T", "Z"]),
+        ("cgt", f"{TEMPLATE}#IF(#depth>1,#<|>\n@\n", ["#AND", "#OR"]),
+        ("cgt", f"{TEMPLATE}#EVAL(#V1=S<|>\n@\n", ["SGN(", "SIN(", "SQR("]),
+        ("z32", f"{BLOCKS}!GON<|>\n", ["10", "20"]),
+        ("z32", f"{BLOCKS}!GON10-N<|>\n", ["10", "20"]),
+        ("z32", f"{BLOCKS}!GOP<|>\n", ["5", "7", "12"]),
+        ("z32", f"{BLOCKS}!:L254-<|>\n", ["A\\b", "c"]),
+        ("z32", f"{BLOCKS}!:L254-A\\<|>\n", ["A\\b"]),
+        ("z32", f"{BLOCKS}!<|>\n", ["IF", "EB", "CP", "PC", "GON", "GOP", "GOS", ":L254-", "HA", "PAL[3]", "PAL["]),
+        ("z32", f"{BLOCKS}!HA=1; <|>\n", ["IF", "EB", "CP"]),
+        ("z32", f"{BLOCKS}!IF HA>1; G<|>\n", ["GON", "GOP", "GOS"]),
+        ("z32", f"{BLOCKS}X<PAL[<|>\n", ["PI", "PAL[3]", "PAL[", "PAR[", "P", "PAL[300]"]),
+        ("z32", f"{BLOCKS}X<<|>\n", ["ABS(", "AT("]),
+        ("z32", f"{BLOCKS}G<|>\n", ["G0", "G1", "G2", "G3", "G25", "G26"]),
+        ("z32", f"{BLOCKS}G1 G<|>\n", ["G25", "G26"]),
     ],
 )
 def test_completions(dialect: str, text: str, first: list[str]) -> None:
-    view, pos = at_cursor(
-        dialect, text, **({"Snippets__part": "", "Snippets__deep__more": ""} if dialect == "metagcode" else {})
-    )
-    assert [item.text for item in completions(view, pos)][: len(first)] == first
+    view, pos = at_cursor(dialect, text, SETTINGS[dialect], **FILES[dialect])
+    found = [item.text for item in completions(view, pos)]
+    assert found[: len(first)] == first
+    assert first or not found
+
+
+@pytest.mark.parametrize("dialect", FILES)
+def test_every_name_of_a_table_is_explained(dialect: str) -> None:
+    texts = {"rs274": "<|>\n", "metagcode": "#<|>\n", "cgt": "@LINE\n#<|>\n", "z32": "(P)\n!<|>\n"}
+    view, pos = at_cursor(dialect, texts[dialect])
+    found = [item for item in completions(view, pos) if item.table]
+    assert found
+    assert all(item.detail and resolved(by_name(dialect), item.table, item.name) for item in found)
 
 
 def test_a_local_name_is_offered_where_it_means_something() -> None:
@@ -57,6 +114,18 @@ def test_what_a_table_says_of_an_item() -> None:
     ("dialect", "text", "label", "item"),
     [
         ("rs274", "G1 X[ATAN[1<|>\n", "ATAN[y]/[x]", "y"),
+        ("rs274", "o<drill> call [<|>\n", "o<drill> call [depth] [feed] [peck]", "depth"),
+        ("rs274", "o<drill> call [1] [<|>\n", "o<drill> call [depth] [feed] [peck]", "feed"),
+        ("rs274", "o<drill> call [1] [2] [SIN[<|>\n", "SIN[a]", "a"),
+        ("rs274", "o<drill> call [1] [SIN[2]] [[3] + <|>\n", "o<drill> call [depth] [feed] [peck]", "peck"),
+        ("rs274", "o<bare> call [1] [<|>\n", "o<bare> call [#1] [#2]", "#2"),
+        ("rs274", "o<none> call [<|>\n", "o<name> call [a] [b] ...", "a"),
+        ("rs274", "o1 if [#1 GT <|>\n", "o1 if [condition]", "condition"),
+        ("cgt", "@LINE\n#EVAL(<|>\n@\n", "#EVAL(#word=expression)", "word"),
+        ("cgt", "@LINE\n#EVAL(#V1=<|>\n@\n", "#EVAL(#word=expression)", "expression"),
+        ("cgt", "@LINE\n#TABLE(TAB,<|>\n@\n", "#TABLE(section, row)", "row"),
+        ("cgt", "@LINE\n#IF(#V1>1,#AND #V2=<|>\n@\n", "#IF(test)<then>#ELSE<else>", "test"),
+        ("cgt", "@LINE\n#FMT(#F_Decimal,<|>\n@\n", "#FMT(#word,format)", "format"),
         ("cgt", "@LINE\n#EVAL(#V1=MAX(1,<|>\n@\n", "MAX(a, b)", "b"),
         ("cgt", "@LINE\n#EVAL(#V1=MAX(ABS(1),<|>\n@\n", "MAX(a, b)", "b"),
         ("metagcode", "#IF1 |a| Equ<|>\n", "#IFn value operator value type", "operator"),
@@ -65,11 +134,28 @@ def test_what_a_table_says_of_an_item() -> None:
     ],
 )
 def test_signature(dialect: str, text: str, label: str, item: str) -> None:
-    view, pos = at_cursor(dialect, text)
+    view, pos = at_cursor(dialect, text, drill_ngc=DRILL, bare_ngc="o<bare> sub\nX#2\no<bare> endsub\n")
     found = signature(view, pos)
     assert found is not None
     start, end = found.items[found.active]
     assert (found.label, found.label[start:end]) == (label, item)
+
+
+DRILL = """(Drills a hole)
+o<drill> sub (#1 = depth, #2: feed)
+(in pecks)
+#<peck> = #3 (not 0)
+(no word of this)
+G1 Z#1
+o<drill> endsub
+"""
+
+
+def test_what_a_subprogram_says_of_itself_is_said_with_its_signature() -> None:
+    view, pos = at_cursor("rs274", f"{DRILL}o<drill> call [<|>\n")
+    found = signature(view, pos)
+    assert found is not None
+    assert found.text == "Drills a hole\n#1 = depth, #2: feed\nin pecks"
 
 
 def test_no_signature_where_nothing_is_called() -> None:

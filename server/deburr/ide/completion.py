@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator
 from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.ide.hover import described, rows
 from deburr.ide.related import related
-from deburr.symbols import Language, Offer, Sort, language_of
-from deburr.symbols.index import all_symbols, at, mentions_of, region, regions_of
+from deburr.symbols import Act, Language, Offer, Sort, entry_of, language_of
+from deburr.symbols.constants import constants_of
+from deburr.symbols.index import all_symbols, at, mentions_of, on_line, region, regions_of
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
@@ -24,6 +25,8 @@ _SORTS = {
     Offer.LABELS: Sort.LABEL,
     Offer.SECTIONS: Sort.SECTION,
 }
+_BARE = (Sort.SECTION, Sort.LABEL)
+"""Where these are named, their sign is not written again."""
 
 
 class Item(NamedTuple):
@@ -46,7 +49,8 @@ def completions(view: View, pos: Pos) -> list[Item]:
     before = view.document.line(pos.line)[: pos.col]
     start = language.partial(before)
     span = Span(start, pos.col)
-    offers = language.offers(expected(view, pos.line, before[:start]), before[:start], before[start:])
+    known = expected(view, pos.line, language.resumed(before[:start]))
+    offers = list(language.offers(known, before[:start], before[start:]))
     found: dict[str, Item] = {}
     for item in _items(view, pos, language, offers, span):
         found.setdefault(item.text, item)
@@ -68,14 +72,58 @@ def resolved(dialect: Dialect, table: str, name: str) -> str:
     return "" if entry is None else "\n\n".join(part for part in (*described(entry), rows(entry)) if part)
 
 
-def _items(view: View, pos: Pos, language: Language, offers: Iterable[Offer | str], span: Span) -> Iterator[Item]:
+def _items(view: View, pos: Pos, language: Language, offers: Collection[Offer | str], span: Span) -> Iterator[Item]:
     for offer in offers:
         if isinstance(offer, str):
-            yield from (_entry(each, language, span) for each in view.dialect.codes.table(offer) if each.first is None)
+            yield from _entries(view, pos, language, offer, span)
         elif offer is Offer.FILES:
-            yield from (Item(name, "file", "", span) for name in language.files(view.file, view.ruleset, view.host))
+            yield from (
+                Item(name, "file", "", span)
+                for name in language.files(
+                    view.file, view.ruleset, view.host, view.document.line(pos.line)[: span.start]
+                )
+            )
+        elif offer is Offer.ENDS:
+            yield from _ends(view, pos, language, span)
         else:
             yield from _symbols(view, pos, language, _SORTS[offer], span)
+    constants = constants_of(view.dialect.name)
+    if constants is not None and Offer.VARIABLES in offers:
+        given = constants.names(view.file, view.ruleset.settings, view.host)
+        yield from (Item(name, Sort.VARIABLE.value, "", span) for name in given)
+
+
+def _ends(view: View, pos: Pos, language: Language, span: Span) -> Iterator[Item]:
+    """The end of the innermost block that is open before a line."""
+    found = view.document.around(pos.line, 0)
+    if found is not None and (text := language.end(found[1])):
+        yield Item(text, "keyword", f"line {found[0] + 1}", span)
+
+
+def _entries(view: View, pos: Pos, language: Language, offer: str, span: Span) -> Iterator[Item]:
+    """The names of a table, without what the line or the program can have once only."""
+    table, _, name = offer.partition("/")
+    taken = _taken(view, pos, span)
+    for entry in view.dialect.codes.table(table):
+        once = entry.name if table == "section" else entry.more.get("group") if table == "code" else None
+        if name in ("", entry.name) and once not in taken and entry.name[:1].isalnum() | (table == "variable"):
+            item = _entry(entry, language, span)
+            yield from [item] if item.text and " " not in entry.name else []
+
+
+def _taken(view: View, pos: Pos, span: Span) -> set[str]:
+    """The modal groups of the other codes on a line, and the sections of the program."""
+    codes = view.dialect.codes
+    said = (
+        each
+        for each in on_line(view.document, pos.line)
+        if each.symbol.sort is Sort.CODE and each.span.start != span.start
+    )
+    found = {entry.more.get("group", "") for each in said if (entry := entry_of(each.symbol, codes)) is not None}
+    for symbol in all_symbols(view.document, Sort.SECTION):
+        placed = mentions_of(view.document, symbol)
+        found |= {symbol.name for each in placed if each.mention.act is Act.DEFINE and each.line != pos.line}
+    return found
 
 
 def _symbols(view: View, pos: Pos, language: Language, sort: Sort, span: Span) -> Iterator[Item]:
@@ -85,7 +133,7 @@ def _symbols(view: View, pos: Pos, language: Language, sort: Sort, span: Span) -
     placed = at(view.document, pos.line, pos.col)
     written = placed.mention.symbol if placed is not None else None
     for each in related(view):
-        for symbol in sorted(all_symbols(each.document), key=lambda known: known.name):
+        for symbol in sorted(all_symbols(each.document, sort), key=lambda known: known.name):
             if symbol == written and len(list(islice(mentions_of(each.document, symbol, own), 2))) < 2:
                 continue
             if symbol.sort is not sort or not symbol.name or (symbol.local and each is not view):
@@ -94,7 +142,7 @@ def _symbols(view: View, pos: Pos, language: Language, sort: Sort, span: Span) -
                 continue
             if sort in (Sort.LABEL, Sort.SECTION) and each is not view:
                 continue
-            text = language.written(symbol) if sort is not Sort.SECTION else symbol.name
+            text = symbol.name if sort in _BARE else language.written(symbol)
             yield Item(text, sort.value, "" if each is view else each.file.rpartition("/")[2], span)
 
 

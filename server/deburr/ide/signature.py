@@ -6,6 +6,10 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
+from deburr.ide.definition import definitions
+from deburr.symbols import language_of
+from deburr.symbols.index import at
+
 if TYPE_CHECKING:
     from deburr.ide.view import View
     from deburr_grammar.codes import Entry
@@ -33,7 +37,27 @@ def signature(view: View, pos: Pos) -> Signature | None:
         for table in _TABLES:
             entry = view.dialect.codes.entry(table, name)
             if entry is not None and entry.more.get("signature"):
-                return _made(entry, before[opening + 1 :].count(","), True)
+                found = _of_call(view, pos, before) if table == "keyword" else None
+                return found or _made(entry, _parted(entry, before[opening + 1 :]), True)
+    return _of_call(view, pos, before) or _of_directive(view, before)
+
+
+def _of_call(view: View, pos: Pos, before: str) -> Signature | None:
+    """How a subprogram is called, read off the one that is called."""
+    language = language_of(view.dialect.name)
+    call = language.called(before) if language is not None else None
+    placed = at(view.document, pos.line, call.col) if call is not None else None
+    if language is None or call is None or placed is None:
+        return None
+    for spot in definitions(view, placed):
+        other = view.beside(spot.file)
+        if other is not None:
+            takes = language.takes(other.document, call.symbol)
+            return Signature(takes.label, takes.text, takes.items, min(call.given, max(0, len(takes.items) - 1)))
+    return None
+
+
+def _of_directive(view: View, before: str) -> Signature | None:
     directive = _DIRECTIVE.match(before)
     entry = view.dialect.codes.entry("keyword", directive[1]) if directive else None
     if directive is None or entry is None or not entry.more.get("signature"):
@@ -42,22 +66,30 @@ def signature(view: View, pos: Pos) -> Signature | None:
     return _made(entry, max(0, len(rest.split()) - (not rest.endswith((" ", "\t")))), False)
 
 
+def _parted(entry: Entry, given: str) -> int:
+    """How many items of a call stand before a place: what parts them is a comma, or `=` if the signature has one."""
+    inside = str(entry.more["signature"]).partition("(")[2].partition(")")[0]
+    return given.count(",") + ("=" in inside and "=" in given)
+
+
 def _open_calls(before: str) -> Iterator[tuple[int, str]]:
     """The brackets that are open at the end of a text, innermost first, with the name before each."""
     depth = 0
-    for at in range(len(before) - 1, -1, -1):
-        if before[at] in ")]":
+    for col in range(len(before) - 1, -1, -1):
+        if before[col] in ")]":
             depth += 1
-        elif before[at] in "([":
+        elif before[col] in "([":
             depth -= 1
             if depth < 0:
                 depth = 0
-                if called := _CALLED.search(before[:at]):
-                    yield at, called[1]
+                if called := _CALLED.search(before[:col]):
+                    yield col, called[1]
 
 
 def _made(entry: Entry, active: int, brackets: bool) -> Signature:
     label = str(entry.more["signature"])
     start = re.search(r"[(\[]", label) if brackets else re.search(r"[ \t]", label)
-    items = tuple(match.span() for match in _ITEM.finditer(label, start.end() if start else len(label)))
+    first = start.end() if start else len(label)
+    last = label.find(")", first) if brackets and ")" in label[first:] else len(label)
+    items = tuple(match.span() for match in _ITEM.finditer(label, first, last))
     return Signature(label, entry.text, items, min(active, max(0, len(items) - 1)))

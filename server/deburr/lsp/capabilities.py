@@ -29,8 +29,8 @@ TOKEN_MODIFIERS = ("declaration", "modification")
 
 _PROVIDERS: dict[str, Any] = {
     "hoverProvider": True,
-    "completionProvider": {"triggerCharacters": ["#", "|", "<", "@"], "resolveProvider": True},
-    "signatureHelpProvider": {"triggerCharacters": ["(", "[", ",", " "]},
+    "completionProvider": {"triggerCharacters": ["#", "|", "<", "@", "!", "[", "("], "resolveProvider": True},
+    "signatureHelpProvider": {"triggerCharacters": ["(", "[", ",", " ", "="]},
     "definitionProvider": True,
     "declarationProvider": True,
     "referencesProvider": True,

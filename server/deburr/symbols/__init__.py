@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from deburr.host import Host
     from deburr.ruleset import RuleSet
     from deburr_grammar.codes import CodeTable, Entry
+    from deburr_grammar.dialect import Bracket
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
     from deburr_grammar.text import Span
@@ -51,6 +52,7 @@ class Offer(Enum):
     LABELS = "labels"
     SECTIONS = "sections"
     FILES = "files"
+    ENDS = "ends of open blocks"
 
 
 class Symbol(NamedTuple):
@@ -85,6 +87,22 @@ class Meant(NamedTuple):
     kind: str
 
 
+class Called(NamedTuple):
+    """A call that is being written: the subprogram, its column, how many arguments stand before the place."""
+
+    symbol: Symbol
+    col: int
+    given: int
+
+
+class Takes(NamedTuple):
+    """How a subprogram is called: its signature, the columns of its arguments there, what is said of it."""
+
+    label: str
+    items: tuple[tuple[int, int], ...]
+    text: str
+
+
 class Language(Protocol):
     """What a dialect's module knows.
 
@@ -111,13 +129,25 @@ class Language(Protocol):
         """Where the word starts that is being written at the end of a text."""
 
     def offers(self, expected: frozenset[str], before: str, partial: str) -> Iterator[Offer | str]:
-        """What can be written where the grammar expects these terminals: names of the program, or tables."""
+        """What can be written where the grammar expects these terminals: names of the program, tables, or one line of one (`command/AND`)."""
 
-    def files(self, file: str, ruleset: RuleSet, host: Host) -> Iterator[str]:
-        """The names by which a program can call files."""
+    def resumed(self, before: str) -> str:
+        """A start of a line after which the same can follow as after this one, where only the end of the line tells how it is read."""
+
+    def end(self, opener: Bracket) -> str:
+        """What closes a block, as it is written; nothing where that is written within a line."""
+
+    def files(self, file: str, ruleset: RuleSet, host: Host, before: str) -> Iterator[str]:
+        """The names by which a program can call files behind the start of a line, as they are written."""
+
+    def called(self, before: str) -> Called | None:
+        """The call of a subprogram with arguments in which the start of a line ends."""
+
+    def takes(self, document: Document, symbol: Symbol) -> Takes:
+        """What a subprogram that a document defines is called with."""
 
     def spelled(self, entry: Entry) -> str:
-        """A name of a table as it is written in a program."""
+        """A name of a table as it is written in a program; "" for a family of which no name is to be offered."""
 
     def valid(self, symbol: Symbol, name: str) -> str:
         """What is wrong with a name for such a symbol; nothing: ""."""

@@ -7,7 +7,7 @@ from collections.abc import Hashable, Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from deburr.symbols import Act, Mention, Offer, Sort, Symbol
+from deburr.symbols import Act, Mention, Offer, Sort, Symbol, Takes
 from deburr.templates.symbols import DECLARED_TYPES, Symbols, Word
 from deburr_grammar.dialect import Role
 from deburr_grammar.text import Span, with_newlines
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from deburr.host import Host
     from deburr.ruleset import RuleSet
     from deburr_grammar.codes import Entry
+    from deburr_grammar.dialect import Bracket
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
 
@@ -24,11 +25,12 @@ _DECLARATION = re.compile(
     r"(?i)#(dec|int|str|tbl|calcdec|calcint|calcstr)[ \t]*((?:#[A-Za-z][A-Za-z0-9_]*[ \t]*,?[ \t]*)+)"
 )
 _NAME = re.compile(r"#([A-Za-z][A-Za-z0-9_]*)")
-_PARTIAL = re.compile(r"#[A-Za-z0-9_]*$|\$?[A-Za-z][A-Za-z0-9_]*$")
+_PARTIAL = re.compile(r"^@\$?[A-Za-z0-9_]*$|#[A-Za-z0-9_]*$|\$?[A-Za-z][A-Za-z0-9_]*$")
 SHARED = "shared by all sections"
 SET = "only a run tells"
 UNSET = "set nowhere here"
 NAMING = frozenset(("WORD", "HEADER", "SECTION"))
+_FORMATTED = re.compile(r"(?i)#fmt\($")
 _ROWS = 30
 _SYSTEM_WORD = "word"
 
@@ -78,9 +80,18 @@ def partial(before: str) -> int:
 
 def offers(expected: frozenset[str], before: str, partial: str) -> Iterator[Offer | str]:
     """By the terminals that can stand there."""
+    if partial.startswith("@"):
+        yield "section"
     if "SECTION" in expected:
         yield Offer.SECTIONS
         return
+    if "FORMAT" in expected:
+        yield "format"
+    if "LOGIC" in expected:
+        yield "command/AND"
+        yield "command/OR"
+    if "WORD" in expected and _FORMATTED.search(before):
+        yield "format_class"
     if "WORD" in expected:
         yield Offer.VARIABLES
         yield "word"
@@ -90,13 +101,36 @@ def offers(expected: frozenset[str], before: str, partial: str) -> Iterator[Offe
         yield "function"
 
 
-def files(file: str, ruleset: RuleSet, host: Host) -> Iterator[str]:
+def called(before: str) -> None:
+    """No call has arguments."""
+
+
+def takes(document: Document, symbol: Symbol) -> Takes:
+    """Nothing is handed over."""
+    return Takes(written(symbol), (), "")
+
+
+def resumed(before: str) -> str:
+    """The start of a line says how it is read."""
+    return before
+
+
+def end(opener: Bracket) -> str:
+    """Brackets close within lines."""
+    return ""
+
+
+def files(file: str, ruleset: RuleSet, host: Host, before: str) -> Iterator[str]:
     """No name leads out of a template."""
     yield from ()
 
 
 def spelled(entry: Entry) -> str:
-    """Words and commands with their `#`, functions with their parenthesis."""
+    """Sections with their `@`, words and commands with their `#`, functions with their parenthesis, formats bare."""
+    if entry.first is not None or entry.table == "format":
+        return "" if entry.first is not None else entry.name
+    if entry.table == "section":
+        return f"@{entry.name}"
     return f"{entry.name}(" if entry.table == "function" else f"#{entry.name}"
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from deburr.includes import Folder
-from deburr.symbols import Act, Mention, Offer, Sort, Symbol
+from deburr.symbols import Act, Mention, Offer, Sort, Symbol, Takes
 from deburr_grammar.dialects.metagcode.forms import Group, groups
 from deburr_grammar.dialects.metagcode.forms import name as name_of
 from deburr_grammar.text import Span
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from deburr.host import Host
     from deburr.ruleset import RuleSet
     from deburr_grammar.codes import Entry
+    from deburr_grammar.dialect import Bracket
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
 
@@ -76,18 +77,35 @@ def offers(expected: frozenset[str], before: str, partial: str) -> Iterator[Offe
     if "NAME" in expected and _SNIPPET.match(before):
         yield Offer.FILES
     elif not before.strip() and "UNKNOWN" in expected:
+        yield Offer.ENDS
         yield "keyword"
-    if "OPERATOR" in expected:
-        yield "operator"
-    if "TYPE" in expected:
-        yield "type"
-    if "MODE" in expected:
-        yield "steptype"
-    if "VARIABLE" in expected:
+    # A form is read with a variable wherever one can be written by mistake; these places take one of few words.
+    chosen = [_TABLES[each] for each in _TABLES if each in expected]
+    yield from chosen
+    if "VARIABLE" in expected and not chosen:
         yield Offer.VARIABLES
 
 
-def files(file: str, ruleset: RuleSet, host: Host) -> Iterator[str]:
+def called(before: str) -> None:
+    """No call has arguments."""
+
+
+def takes(document: Document, symbol: Symbol) -> Takes:
+    """Nothing is handed over."""
+    return Takes(written(symbol), (), "")
+
+
+def resumed(before: str) -> str:
+    """The start of a line says how it is read."""
+    return before
+
+
+def end(opener: Bracket) -> str:
+    """`#ENDIF1`."""
+    return f"#END{opener.word[1:]}{opener.label or ''}"
+
+
+def files(file: str, ruleset: RuleSet, host: Host, before: str) -> Iterator[str]:
     """The snippets, also those in folders within."""
     folder = Folder(host, file, str(ruleset.settings["snippets-dir"]))
     waiting = [(folder.root, "")]
@@ -102,6 +120,8 @@ def files(file: str, ruleset: RuleSet, host: Host) -> Iterator[str]:
 
 def spelled(entry: Entry) -> str:
     """Directives with their `#`."""
+    if entry.first is not None:
+        return ""
     return f"#{entry.name}" if entry.table == "keyword" else entry.name
 
 

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from deburr.symbols import Act, Mention, Offer, Sort, Symbol
-from deburr.symbols.index import all_symbols, mentions_of, region
+from deburr.symbols.index import region
+from deburr.symbols.rs274_calls import arguments, called, takes, written
 from deburr_grammar.codes import code_number
 from deburr_grammar.dialects.rs274.outline import label_of
 from deburr_grammar.text import Span
@@ -17,16 +18,19 @@ if TYPE_CHECKING:
     from deburr.host import Host
     from deburr.ruleset import RuleSet
     from deburr_grammar.codes import Entry
+    from deburr_grammar.dialect import Bracket
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
 
 _BLANKS = re.compile(r"[ \t]+")
 _PARTIAL = re.compile(r"#?<[^<>]*$|#[0-9]*$|[Oo]<[^<>]*$|[A-Za-z_]+[0-9.]*$|[Oo][0-9]*$")
+__all__ = ["called", "takes", "written"]
 SHARED = "shared by all subprograms"
 SET = "only a run tells"
 UNSET = "set nowhere here"
 NAMING = frozenset(("param", "o_line", "O", "NAME_USED", "NUMBER_USED"))
 _LISTED = 3
+_SUFFIX = ".ngc"
 _ARGUMENTS = 30
 """Parameters up to this number are a subprogram's own."""
 _SUBS = {"SUB": Act.DEFINE, "ENDSUB": Act.SAY, "RETURN": Act.SAY, "CALL": Act.CALL}
@@ -55,7 +59,7 @@ def file(symbol: Symbol, file: str, ruleset: RuleSet, host: Host) -> str | None:
     if symbol.sort is not Sort.SUB:
         return None
     folders = [file.rpartition("/")[0], *ruleset.settings.get("subroutine-path", ())]
-    wanted = f"{symbol.name}.ngc"
+    wanted = f"{symbol.name}{_SUFFIX}"
     for folder in folders:
         found = next((name for name in host.names(folder) if name.lower() == wanted), None)
         if found is not None:
@@ -71,6 +75,9 @@ def partial(before: str) -> int:
 
 def offers(expected: frozenset[str], before: str, partial: str) -> Iterator[Offer | str]:
     """By the terminals that can stand there."""
+    if before.rstrip(" \t").endswith("("):
+        yield "comment"
+        return
     if "HASH" in expected:
         yield Offer.VARIABLES
         yield "variable"
@@ -78,20 +85,48 @@ def offers(expected: frozenset[str], before: str, partial: str) -> Iterator[Offe
         yield "keyword"
     if "FUNCTION" in expected:
         yield "function"
+    if "COMPARE" in expected:
+        yield "operator"
     if "O" in expected:
+        yield Offer.ENDS
         yield Offer.SUBS
+        yield Offer.FILES
     if "LETTER" in expected:
         yield "code"
         yield "word"
 
 
-def files(file: str, ruleset: RuleSet, host: Host) -> Iterator[str]:
-    """Subprograms are offered as such."""
-    yield from ()
+def files(file: str, ruleset: RuleSet, host: Host, before: str) -> Iterator[str]:
+    """The subprogram files beside a program and in the configured folders."""
+    for folder in (file.rpartition("/")[0], *ruleset.settings.get("subroutine-path", ())):
+        for name in host.names(folder):
+            if name.lower().endswith(_SUFFIX) and f"{folder.rstrip('/')}/{name}" != file:
+                yield f"o<{name[: -len(_SUFFIX)].lower()}>"
+
+
+def resumed(before: str) -> str:
+    """The start of a line says how it is read."""
+    return before
+
+
+def end(opener: Bracket) -> str:
+    """`o1 endif`; a `do` ends with a condition."""
+    label = written(Symbol(Sort.LABEL, opener.label)) if opener.label is not None else ""
+    return "" if not label else f"{label} while [" if opener.kind == "do" else f"{label} end{opener.kind}"
 
 
 def spelled(entry: Entry) -> str:
-    """Functions with their bracket, parameters with their `#`."""
+    """Functions with their bracket, parameters with their `#`, active comments with what parts their name from the rest."""
+    if entry.first is not None:
+        return ""
+    if entry.table == "comment":
+        return (
+            str(entry.more["signature"])
+            .strip("()")
+            .replace(" text", " ")
+            .replace("file", "")
+            .replace(" statement", " ")
+        )
     if entry.table == "function":
         return f"{entry.name}["
     return f"#<{entry.name}>" if entry.table == "variable" else entry.name
@@ -115,45 +150,14 @@ def notes(document: Document, line: int, mention: Mention) -> Iterator[str]:
     symbol, inside = mention.symbol, region(document, line) if mention.symbol.local else None
     if symbol.sort is not Sort.VARIABLE or not symbol.name.isdigit() or inside is None or inside[1] is None:
         return
-    given = list(_arguments(document, inside[1], int(symbol.name)))
+    given = list(arguments(document, inside[1], int(symbol.name)))
     more = f" and {len(given) - _LISTED} more" if len(given) > _LISTED else ""
     if given:
         yield f"given by calls: {', '.join(given[:_LISTED])}{more}"
 
 
-def _arguments(document: Document, sub: str, number: int) -> Iterator[str]:
-    """An argument of a subprogram in each call, as it is written there."""
-    for each in mentions_of(document, Symbol(Sort.SUB, sub)):
-        node = document.node(each.line)
-        o_line = next(node.find("o_line"), None) if each.mention.act is Act.CALL else None
-        if o_line is None:
-            continue
-        groups = [part for part in o_line.children if isinstance(part, Node) and part.kind == "group"]
-        group = groups[number - 1] if number <= len(groups) else None
-        said = f"`{node.text[group.start + 1 : group.end - 1].strip()}`" if group is not None else "nothing (0)"
-        yield f"{said} in line {each.line + 1}"
-
-
-def parameters(document: Document, sub: str) -> int:
-    """How many parameters a subprogram uses: the highest number up to 30 that it names."""
-    within = ("sub", sub)
-    named = (symbol for symbol in all_symbols(document, Sort.VARIABLE) if symbol.local and symbol.name.isdigit())
-    numbers = [int(symbol.name) for symbol in named if next(mentions_of(document, symbol, within), None) is not None]
-    return max(numbers, default=0)
-
-
 def meant(document: Document, line: int, mention: Mention) -> None:
     """Nothing stands for anything else."""
-
-
-def written(symbol: Symbol) -> str:
-    """`#5`, `#<name>`, `o<name>`, `o5`, or the name."""
-    number = symbol.name.isdigit()
-    if symbol.sort is Sort.VARIABLE:
-        return f"#{symbol.name}" if number else f"#<{symbol.name}>"
-    if symbol.sort in (Sort.SUB, Sort.LABEL):
-        return f"o{symbol.name}" if number else f"o<{symbol.name}>"
-    return symbol.name
 
 
 def _param(text: str, node: Node, act: Act) -> Iterator[Mention]:

@@ -7,7 +7,7 @@ from collections.abc import Container, Iterator
 from typing import TYPE_CHECKING
 
 from deburr.expand.z32 import stores
-from deburr.symbols import Act, Meant, Mention, Offer, Sort, Symbol
+from deburr.symbols import Act, Meant, Mention, Offer, Sort, Symbol, Takes
 from deburr_grammar.codes import code_number
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token, walk
@@ -16,10 +16,14 @@ if TYPE_CHECKING:
     from deburr.host import Host
     from deburr.ruleset import RuleSet
     from deburr_grammar.codes import Entry
+    from deburr_grammar.dialect import Bracket
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
 
 _SEQUENCE = re.compile(r"(?i)(?:(?<=go[nps])|(?<=-n))[0-9]*$")
+_INDEX = re.compile(r"(?i)pa[lr]\[[0-9]*$")
+_CALLED = re.compile(r"(?i):[ \t]*l254[ \t]*-[ \t]*([^!;]*)$")
+_FIELDS = re.compile(r"([ \t]*/?[ \t]*(?:[Nn][ \t]*[0-9.,]+[ \t]*)?)!.*[;!][ \t]*")
 _PARTIAL = re.compile(r"[A-Za-z]+[0-9]*$|[0-9]+$")
 SHARED = "shared with called programs"
 SET = "only a run tells"
@@ -42,6 +46,7 @@ NAMING = frozenset(
 )
 _ALIASES = ("AA", "AB", "AC")
 _FAR = 20_000
+_FIELD_WORDS = ("IF", "EB", "CP", "PC", "GON", "GOP", "GOS", "L254")
 _KEYWORDS = {"IF", "EB", "CP", "PC", "GON", "GOP", "GOS"}
 _PARAMETERS = ("NAME", "OTHER", "ALIAS_NAME")
 
@@ -81,7 +86,9 @@ def file(symbol: Symbol, file: str, ruleset: RuleSet, host: Host) -> str | None:
 
 def partial(before: str) -> int:
     """Letters and the digits behind them, or digits."""
-    match = _SEQUENCE.search(before) or _PARTIAL.search(before)
+    if path := _CALLED.search(before):
+        return path.start(1)
+    match = _SEQUENCE.search(before) or _INDEX.search(before) or _PARTIAL.search(before)
     return match.start() if match else len(before)
 
 
@@ -92,28 +99,64 @@ def offers(expected: frozenset[str], before: str, partial: str) -> Iterator[Offe
         return
     if re.search(r"(?i)go[ps][ \t]*$", before):
         yield Offer.SECTIONS
+        yield Offer.FILES
         return
     if "PATH" in expected:
         yield Offer.FILES
     if "FUNCTION" in expected:
         yield "function"
     if "GON" in expected and "BANG" in expected:
-        yield "keyword"
-    if "G" in expected:
+        yield from (f"keyword/{each}" for each in _FIELD_WORDS)
+    if "G" in expected and "!" not in before:
         yield "code"
     if "NAME" in expected:
         yield Offer.VARIABLES
         yield "variable"
 
 
-def files(file: str, ruleset: RuleSet, host: Host) -> Iterator[str]:
-    """The files below the configured folder."""
-    root = str(ruleset.settings["file-root"])
-    yield from host.names(stores.beside(file, root)) if root else ()
+def files(file: str, ruleset: RuleSet, host: Host, before: str) -> Iterator[str]:
+    """The numbers of the programs in the memory, and the paths of the files below the configured folder."""
+    folder, root = str(ruleset.settings["cmos-dir"]), str(ruleset.settings["file-root"])
+    if _CALLED.search(before):
+        yield from _paths(host, stores.beside(file, root), "") if root else ()
+    elif folder:
+        yield from map(str, sorted(stores.programs(host, stores.beside(file, folder))))
+
+
+def _paths(host: Host, folder: str, prefix: str) -> Iterator[str]:
+    for name in host.names(folder):
+        if host.names(f"{folder}/{name}"):
+            yield from _paths(host, f"{folder}/{name}", f"{prefix}{name}\\")
+        else:
+            yield f"{prefix}{name.rpartition('.')[0] or name}"
+
+
+def called(before: str) -> None:
+    """No call has arguments."""
+
+
+def takes(document: Document, symbol: Symbol) -> Takes:
+    """Nothing is handed over."""
+    return Takes(written(symbol), (), "")
+
+
+def resumed(before: str) -> str:
+    """Only a `!` that is still to be written tells whether a `;` parts two fields; a new field follows on either."""
+    match = _FIELDS.fullmatch(before)
+    return f"{match[1]}!" if match else before
+
+
+def end(opener: Bracket) -> str:
+    """There are no blocks."""
+    return ""
 
 
 def spelled(entry: Entry) -> str:
-    """Functions with their parenthesis."""
+    """Functions with their parenthesis, families with the bracket before their number."""
+    if entry.first is not None:
+        return f"{entry.more['prefix']}[" if entry.more.get("prefix") else ""
+    if entry.name == "L254":
+        return ":L254-"
     return f"{entry.name}(" if entry.table == "function" and entry.name != "PI" else entry.name
 
 

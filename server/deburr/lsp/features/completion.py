@@ -56,4 +56,7 @@ def on_signature(server: Server, params: types.SignatureHelpParams) -> types.Sig
     if found is None:
         return None
     items = [types.ParameterInformation(each) for each in found.items]
-    return types.SignatureHelp([types.SignatureInformation(found.label, found.text, items)], 0, found.active)
+    said = types.MarkupContent(types.MarkupKind.PlainText, found.text) if found.text else None
+    return types.SignatureHelp(
+        [types.SignatureInformation(found.label, said, items)], 0, found.active if items else None
+    )

@@ -67,6 +67,9 @@ class Constants(Protocol):
     def given(self, symbol: Symbol, file: str, settings: Settings, host: Host) -> Value | None:
         """What a symbol holds throughout a program because its configuration says so."""
 
+    def names(self, file: str, settings: Settings, host: Host) -> Iterator[str]:
+        """The names that a program's configuration gives values, as they are written."""
+
     def counted(self, document: Document, line: int, symbol: Symbol, total: Value | None, held: Held) -> Value | None:
         """What a symbol holds in a loop around a line that counts it; ``total`` if no loop does."""
 

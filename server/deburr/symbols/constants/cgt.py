@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from deburr.arithmetic.cgt import constant
 from deburr.symbols import Sort, Symbol
-from deburr.symbols.cgt import names, table_rows
+from deburr.symbols.cgt import names as declared_names
+from deburr.symbols.cgt import table_rows
 from deburr.symbols.constants import Held, Length, Settings, Value, count
 from deburr.symbols.index import all_symbols
 from deburr_grammar.text import Span
@@ -28,7 +29,7 @@ _NUMBERED = re.compile("[UV][0-9]{1,2}")
 def assigned(document: Document, line: int, mention: Mention, settings: Settings) -> str | None:
     """The constant that `#EVAL` stores in a word of the user; the generator's own words change with each element."""
     name, node = mention.symbol.name, document.node(line)
-    declared = dict(names(document)).get(name)
+    declared = dict(declared_names(document)).get(name)
     if declared not in _NUMBERS if declared is not None else not _NUMBERED.fullmatch(name):
         return None
     if Symbol(Sort.SECTION, f"${name}", table="section") in all_symbols(document, Sort.SECTION):
@@ -43,6 +44,11 @@ def assigned(document: Document, line: int, mention: Mention, settings: Settings
 
 def given(symbol: Symbol, file: str, settings: Settings, host: Host) -> None:
     """No setting gives a word a value."""
+
+
+def names(file: str, settings: Settings, host: Host) -> Iterator[str]:
+    """No setting gives a name a value."""
+    yield from ()
 
 
 def counted(document: Document, line: int, symbol: Symbol, total: Value | None, held: Held) -> Value | None:

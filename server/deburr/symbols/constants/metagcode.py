@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import lru_cache, partial
 from typing import TYPE_CHECKING
@@ -14,6 +14,7 @@ from deburr.symbols.metagcode import counted as counters_of
 from deburr.symbols.metagcode import loops_around
 from deburr_grammar.dialects.metagcode.forms import Group, number
 from deburr_grammar.dialects.metagcode.forms import name as name_of
+from deburr_grammar.dialects.metagcode.values import Value as Given
 from deburr_grammar.dialects.metagcode.values import Values, read_values
 from deburr_grammar.text import Span
 
@@ -32,15 +33,18 @@ def assigned(document: Document, line: int, mention: Mention, settings: Settings
 
 def given(symbol: Symbol, file: str, settings: Settings, host: Host) -> Value | None:
     """What the configured file says of a variable; of one in a snippet nothing, because loops may be around it."""
-    setting = str(settings["variables"])
-    if not setting or Folder(host, file, str(settings["snippets-dir"])).inside:
+    if Folder(host, file, str(settings["snippets-dir"])).inside:
         return None
-    path = beside(file, setting)
-    text = host.read(path)
-    found = None if text is None else _read(text, path).known.get(symbol.name)
+    path, values = _values(file, settings, host)
+    found = values.get(symbol.name)
     if found is None or set("|\r\n") & set(found.text):
         return None
     return Value(found.text, f"`{path.rpartition('/')[2]}` line {found.line + 1}")
+
+
+def names(file: str, settings: Settings, host: Host) -> Iterator[str]:
+    """The variables in the configured file."""
+    yield from (f"|{name}|" for name in _values(file, settings, host)[1])
 
 
 def counted(document: Document, line: int, symbol: Symbol, total: Value | None, held: Held) -> Value | None:
@@ -87,6 +91,14 @@ def lengths(document: Document, line: int, held: Held, settings: Settings) -> It
 
 def row(document: Document, line: int, mention: Mention) -> None:
     """There are no tables."""
+
+
+def _values(file: str, settings: Settings, host: Host) -> tuple[str, Mapping[str, Given]]:
+    """The configured file and what is in it."""
+    setting = str(settings["variables"])
+    path = beside(file, setting) if setting else ""
+    text = host.read(path) if setting else None
+    return path, {} if text is None else _read(text, path).known
 
 
 @lru_cache(8)

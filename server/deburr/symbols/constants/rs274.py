@@ -43,6 +43,11 @@ def given(symbol: Symbol, file: str, settings: Settings, host: Host) -> None:
     """Stored parameters are those of the start only: programs and operators change them."""
 
 
+def names(file: str, settings: Settings, host: Host) -> Iterator[str]:
+    """No setting gives a name a value."""
+    yield from ()
+
+
 def counted(document: Document, line: int, symbol: Symbol, total: Value | None, held: Held) -> Value | None:
     """No loop has a counter of its own."""
     return total

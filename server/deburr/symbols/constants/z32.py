@@ -47,6 +47,11 @@ def given(symbol: Symbol, file: str, settings: Settings, host: Host) -> Value | 
     return None if found is None else Value(str(found), "the setting `pal`")
 
 
+def names(file: str, settings: Settings, host: Host) -> Iterator[str]:
+    """The machine's values that are configured."""
+    yield from (f"PAL[{index}]" for index in settings["pal"])
+
+
 def counted(document: Document, line: int, symbol: Symbol, total: Value | None, held: Held) -> Value | None:
     """No loop has a counter of its own."""
     return total
