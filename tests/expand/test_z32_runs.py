@@ -150,23 +150,46 @@ def test_the_first_phase_is_told_whole_and_the_second_to_its_first_error() -> No
 
 
 ENDLESS = [
-    ("N10 !GON10!", "pass 49,999 of the loop from line 2 to `N10 !GON10!` of line 2"),
-    ("N1\n!GON1!", "of the loop from line 2 to `!GON1!` of line 3"),
     ("HA0\nN10 HA<HA+1>\nX<HA>\n!IF HA>=0; GON10!", "with `HA` = 16666"),
-    ("PAL[1]5\nN10 PAL[2]1\n!IF PAL[1]>PAL[2]; GON10!", "with `PAL[1]` = 5 and `PAL[2]` = 1"),
-    ("HA0\nN10\n!GON30!\nN20 !GON10!\nN30 !GON20!", "of the loop from line 3 to `N20 !GON10!` of line 5"),
-    ("HA0\nN10 HB0\nN20 !HB=HB+1; IF HB<1000; GON20!\n!IF HA=0; GON10!", "of the loop from line 4"),
-    ("HA10\nN10\n!GON<HA>!", ""),
+    ("N10 X1\n!GON10!", "pass 25,000 of the loop from line 2 to `!GON10!` of line 3"),
+    ("HA0\nN10 HB0\nN20 !HB=HB+1; IF HB<30000; GON20!\n!IF HA=0; GON10!", "of the loop from line 4"),
+    ("PAL[1]5\nN10\n!IF PAL[300]=0; GON10!", "with `PAL[300]` = 0"),
+    ("HA0\nN10 !HA=HA+1!\n!GON<10>!", ""),
 ]
 
 
 @pytest.mark.parametrize(("program", "words"), ENDLESS)
 def test_a_run_without_end_is_left_at_a_named_place(program: str, words: str) -> None:
     program = f"(P)\n{program}\n"
-    found = expanded(program, budget=Budget(50_000, 0))
+    found = expanded(program, budget=Budget(50_000, 0), settings={"pal": {"300": 0}})
     (fault,) = found.faults
     assert found.cut and fault.kind == "limit" and words in fault.message and 0 < fault.line < 6
-    assert checked(program) == [each for each in checked(program) if each.startswith("jump-expression")]
+    said = checked(program, pal={"300": 0})
+    assert said == [each for each in said if each.startswith("jump-expression")]
+
+
+GOES_ROUND = [
+    ("N10 !GON10!", 2, "the loop to `N10 !GON10!` never ends:"),
+    ("N1\n!GON1!", 3, "the loop from line 2 to `!GON1!` never ends:"),
+    ("PAL[1]5\nN10 PAL[2]1\n!IF PAL[1]>PAL[2]; GON10!", 4, "never ends with `PAL[1]` = 5 and `PAL[2]` = 1:"),
+    ("HA0\nN10\n!GON30!\nN20 !GON10!\nN30 !GON20!", 5, "the loop from line 3 to `N20 !GON10!` never ends:"),
+    ("HA0\nN10 HB0\nN20 !HB=HB+1; IF HB<1000; GON20!\n!IF HA=0; GON10!", 5, "the loop from line 3 to `!IF HA=0"),
+    ("HA0\nN10 !HA=1-HA!\n!GOP1!\n!GON10!\nM30\n:1\n!HB=HA!\nG26", 5, "the loop from line 3 to `!GON10!`"),
+    ("!GOP1!\nM30\n:1\nN10 !HA=1!\n!GON10!\nG26", 6, "the loop from line 5 to `!GON10!`"),
+    ("N10\n!GON20-N30!\n!GON10!\nN20 !HA=1!\nN30", 4, "the loop from line 2 to `!GON10!`"),
+]
+
+
+@pytest.mark.parametrize(("program", "line", "words"), GOES_ROUND)
+@pytest.mark.parametrize("steps", [50_000, 50_001, 50_003])
+def test_what_comes_back_to_the_same_state_without_an_output_is_certain_to_be_endless(
+    program: str, line: int, words: str, steps: int
+) -> None:
+    program = f"(P)\n{program}\n"
+    found = expanded(program, budget=Budget(steps, 0))
+    (fault,) = found.faults
+    assert (found.cut, fault.kind, fault.line + 1) == (False, "limit", line) and words in fault.message
+    assert [each.split()[:2] for each in checked(program)] == [["limit", f"{line}"]]
 
 
 @pytest.mark.parametrize(

@@ -147,7 +147,7 @@ def test_a_trigger_of_the_table_gives_its_rule_alone(rule: str, trigger: str) ->
 
 def test_each_rule_of_the_table_is_triggered_or_said_to_need_more() -> None:
     own = {rule.short for rule in rules_of("z32") if rule.check.__module__.startswith("deburr.rules.z32")}
-    settled = {"word-syntax", "lower-case"}
+    settled = {"word-syntax", "lower-case", "falls-into-section"}
     assert own - set(RUN) == {rule for rule, _ in VERBATIM} | set(SET) | settled
     assert not {rule for rule, _ in VERBATIM} & {*SET, *RUN}
 
@@ -440,7 +440,7 @@ def test_severities_are_those_of_the_reference() -> None:
     warnings = {
         "advanced-empty-field", "allow-unused", "field-unreachable", "if-empty", "g-conflict", "pal-rounded", "same-block-use", "parameter-unknown",
         "jump-first-line", "range-end-active", "range-open-at-end", "g26-missing", "fcepp-spelling", "html-entity",
-        "polar-origin",
+        "polar-origin", "falls-into-section",
     }  # fmt: skip
     infos = {"if-falls-through", "jump-expression", "alias-order", "label-unused", "text-after-end", "lower-case"}
     own = {rule.short: rule for rule in rules_of("z32") if rule.check.__module__.startswith("deburr.rules.z32")}
@@ -449,3 +449,30 @@ def test_severities_are_those_of_the_reference() -> None:
         expected = Severity.WARNING if name in warnings else Severity.INFO if name in infos else Severity.ERROR
         assert rule.severity is expected, name
     assert [name for name, rule in own.items() if not rule.default] == ["label-unused"]
+
+
+@pytest.mark.parametrize(
+    ("program", "expected"),
+    [
+        ("X1\n!GOP5!\n:5\nX2\nG26", ["falls-into-section 2 !GOP5!"]),
+        ("X1\n!GOP5!\nX3\n\n(drill)\n:5 DRILL\nX2\nG26", ["falls-into-section 3 X3"]),
+        ("X1\n!GOP5!\nM30\n:5\nX2\nG26", []),
+        ("X1\n!GOP5!\n:5\nX2\nM30", []),
+        ("X1\n!GOP5!\n!GON90!\n:5\nX2\nG26\n:6\nN90 M30", []),
+        ("X1\n!GOP5!\n!IF PAR[1]>2; GON90!\n:5\nX2\nG26\n:6\nN90 M30", ["falls-into-section 3 !IF PAR[1]>2; GON90!"]),
+        ("X1\n!GOP5!\n!IF PAR[1]>2; EB! GON90!\n:5\nX2\nG26\n:6\nN90 M30", ["falls-into-section 3 !IF PAR[1]>2; EB! GON90!"]),
+        ("X1\n:1\nX2\n!GOP5!\n:5\nX2\nG26", ["falls-into-section 4 !GOP5!"]),
+        (":5\nX2\nG26\n:6\n!GOP5!\nG26", []),
+        ("X1\n!GOP5!\nG26\n:5\nX2\nG26", []),
+        ("X1\n:5\nX2\nG26", []),
+        ("X1\n!GOP<PAR[1]>!\n:5\nX2\nG26", []),
+        ("X1\n!GOP5!\n!GON<PAR[1]>!\n:5\nX2\nG26", ["jump-expression 3 <PAR[1]>"]),
+    ],
+)  # fmt: skip
+def test_a_main_part_that_runs_on_into_what_it_calls(program: str, expected: list[str]) -> None:
+    text = f"(P)\n{program}\n"
+    said = [f"{name} {line} {text.split(chr(10))[line][start:end]}" for name, line, start, end in found(text)]
+    assert [each for each in said if "g26-outside" not in each] == expected
+    assert [
+        each for each in found(text, {"cmos/5.z32": "G26\n"}, cmos_dir="cmos") if each[0] == "falls-into-section"
+    ] == []

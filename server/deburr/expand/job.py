@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from deburr.fault import Fault, Frame, Halt
@@ -102,6 +103,16 @@ class Job:
         self.steps += found
         return found
 
+    @contextmanager
+    def silent(self) -> Iterator[None]:
+        """While this is open, a line that is output ends the run instead."""
+        line, self._line = self._line, _unheard
+        emitted = self.emitted
+        try:
+            yield
+        finally:
+            self._line, self.emitted = line, emitted
+
     def unusable(self, kind: str, given: str, message: str) -> Halt:
         """The end of a run before its first line: a value that was given for it, `NAME=VALUE`, cannot be used."""
         said = f"-D {given}: {message}"
@@ -113,3 +124,8 @@ class Job:
         if key not in self._met:
             self._met.add(key)
             self.faults.append(fault)
+
+
+def _unheard(text: str) -> None:
+    """No line may be output now."""
+    raise Halt(Fault("limit", "", 0, Span(0, 0), text))

@@ -80,7 +80,7 @@ class Flow:
         def returned() -> int:
             if not state.calls:
                 # What is run here as the main program may be a subprogram; where that is certain, the check says it.
-                message = "`G26` ends a subprogram; in the main program the control stops here"
+                message = f"`G26` ends a subprogram; in the main program the control stops here{_run_into(unit, row)}"
                 raise state.fault("g26-outside", place, message, True)
             return self._leave()
 
@@ -266,3 +266,13 @@ class Flow:
                     part = field.children[1]
                     return Place(unit.file, row, Span(part.start, part.end))
         return call.place
+
+
+def _run_into(unit: Unit, row: int) -> str:
+    """The end of a message on a G26 in a section: the section is a subprogram, into which the main program ran."""
+    start = next((at for at in reversed(unit.sections) if at < row), None)
+    return (
+        f"; it ran on into `{unit.document.line(start).strip()}`, so M30 is missing before that"
+        if start is not None
+        else ""
+    )

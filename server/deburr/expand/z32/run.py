@@ -7,15 +7,16 @@ from typing import TYPE_CHECKING
 
 from deburr.arithmetic.z32 import shown
 from deburr.expand.z32.blocks import Block, copied, optional, undecided
+from deburr.expand.z32.endless import goes_round
 from deburr.expand.z32.fields import advanced
 from deburr.expand.z32.flow import Flow
 from deburr.expand.z32.form import faults, refuse
 from deburr.expand.z32.plain import plain_of
 from deburr.expand.z32.setup import first_values
-from deburr.expand.z32.state import ELSEWHERE, END, Place, State
+from deburr.expand.z32.state import ELSEWHERE, END, Loop, Place, State
 from deburr.expand.z32.unit import Op, Unit
 from deburr.expand.z32.values import Values
-from deburr.fault import Entered, Fault, Halt
+from deburr.fault import Entered, Fault, Frame, Halt
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
@@ -75,7 +76,7 @@ class Run:
             if row >= last:
                 row = self._flow.run_off()
                 continue
-            left = job.slice(unit.file, row, state.frame, self._where(unit))
+            left = self._slice(unit, row)
             while left and 0 <= row < last:
                 left -= 1
                 row = (code[row] or self._compiled(unit, row))()
@@ -83,6 +84,31 @@ class Run:
             if not left:
                 yield
         self._flow.close()
+
+    def _slice(self, unit: Unit, row: int) -> int:
+        """How many lines may be run before the next pause. Where that is none, a loop that does nothing is called what it is."""
+        job, state = self._job, self._state
+        try:
+            return job.slice(unit.file, row, state.frame, self._where(unit))
+        except Halt:
+            found = goes_round(state, row, self._step)
+            if found is None:
+                raise
+            job.cut = False
+            raise self._endless(*found[1:]) from None
+
+    def _step(self, row: int) -> int:
+        """Run one line of the program that is under way."""
+        unit, _, last = self._state.program
+        return (unit.code[row] or self._compiled(unit, row))() if row < last else self._flow.run_off()
+
+    def _endless(self, unit: Unit, row: int, loop: Loop | None, frame: Frame | None) -> Halt:
+        back = unit.jumps_back[loop.first] if loop is not None else row
+        start = f"from line {loop.first + 1} " if loop is not None and loop.first != back else ""
+        said = unit.document.line(back).strip()
+        values = self._last_values(unit, back)
+        message = f"the loop {start}to `{said}` never ends{values}: all values come back to what they were, and nothing is output"
+        return Halt(Fault("limit", unit.file, back, Span(0, 0), message, frame, self._state.unsure))
 
     def _compiled(self, unit: Unit, row: int) -> Op:
         """A line that is not kept yet. Most lines run once, so one is kept when it runs again."""

@@ -86,6 +86,10 @@ class Pending:
         found = self._by_end[self._newest]
         found[-1] = found[-1]._replace(behind=to.behind, loop=to.loop, frame=to.frame)
 
+    def ways(self) -> tuple[int, dict[int, list[int]]]:
+        """Where they lead, and which is the newest."""
+        return self._newest, {end: [each.behind for each in found] for end, found in self._by_end.items() if found}
+
     def all(self) -> Iterator[Return]:
         """All of them."""
         for found in self._by_end.values():
