@@ -45,6 +45,11 @@ RUN_TIME = [
     ("loop-step-negative", 1, "11-14", f"#LOOP1 |z| |s| c\n{USE}", {"z": "4", "s": "-2"}),
     ("limit", 1, "7-10", f"#LOOP1 |z| .001 c\n{USE}", {"z": "1000000000"}),
     ("alpha-case", 1, "5-24", "#IF1 |m| equalto   Steel a\n#ENDIF1", {"m": "steel"}),
+    ("double-sign", 1, "5-8", "G1 Z-|z| F|f|", {"z": "-1.6", "f": "-5"}),
+    ("double-sign", 2, "5-8", "#LOOP1 |z| 2 c\nG1 Z-|z|\n#ENDLOOP1", {"z": "-4"}),
+    ("double-sign", 2, "6-9", "#LOOP1 |z| 2 r\nG1 Z+ |z|\n#ENDLOOP1", {"z": "-4"}),
+    ("double-sign", 1, "9-12", "G1 X2 Y |s||y|", {"s": "-", "y": "+1"}),
+    ("double-sign", 1, "4-7", "G1 X|x| (-)", {"x": "--5"}),
     ("alpha-number", 1, "5-23", "#IF1 |t| greaterthan 10 a\n#ENDIF1", {"t": "9"}),
 ]
 
@@ -64,6 +69,19 @@ def test_a_value_that_no_program_can_use_is_no_fault_of_a_program(define: Mappin
     for program in ("G0 X0\n(no |a|)", "G0 X0\n(|b|)"):
         with pytest.raises(Misgiven, match=f"^-D a=...: the value {said}"):
             found(program, define=define)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "G1 Z|z|", "(down to Z-|z|)", "G0 ; Z-|z|", 'MSG "Z-|z|"', "#1=X-|z|", "HA<X-|z|>", "G1 X[X-|z|]", "!HA=X-|z|!", "G1 X5-|z|", "DEPTH-|z|",
+        "G1 Z--5 X|z|", "G1 X-|plus| Z|z|", "G1 X1-|z|", "N10 (a) (Z-|z|)",
+    ],
+)  # fmt: skip
+def test_two_signs_are_wrong_only_where_a_word_has_its_number(line: str) -> None:
+    define = {"z": "-1.6", "plus": "3"}
+    assert found(line, define=define) == []
+    assert flat(line, define=define) == [line.replace("|z|", "-1.6").replace("|plus|", "3")]
 
 
 def test_limits_are_the_last_legal_values() -> None:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple, NoReturn
 
 from deburr.arithmetic.metagcode import DECIMALS, MOST_DECIMALS, Counted, number_meant, passes
 from deburr.expand.metagcode.lines import Condition, Counter, Directive, Item
+from deburr.expand.metagcode.signs import TWO_SIGNS, doubled
 from deburr.fault import Entered, Fault, Frame, Halt
 from deburr.suggest import suggestion
 from deburr_grammar.dialect import Role
@@ -115,11 +117,21 @@ class Run:
     def _filled(self, at: int, row: int, line: tuple[str, ...]) -> str:
         values = self._values
         try:
-            return "".join([values[each] if index & 1 else each for index, each in enumerate(line)])
+            text = "".join([values[each] if index & 1 else each for index, each in enumerate(line)])
         except KeyError as missing:
-            text = self._gathered.steps[at].text.document.line(row)
-            start = next(start for start, name in names(text) if name == missing.args[0])
-            self._undefined(at, row, missing.args[0], Span(start, text.index("|", start + 1) + 1))
+            name = missing.args[0]
+            self._undefined(at, row, name, self._reference(at, row, line[1::2].index(name)))
+        if TWO_SIGNS.search(text) and (wrong := doubled(line, values)) is not None:
+            span = self._reference(at, row, wrong.number)
+            message = f"`|{line[1::2][wrong.number]}|` makes `{wrong.word}` here, which is no number; write the sign in the line or in the value, not in both"
+            self._halt("double-sign", at, row, span, message)
+        return text
+
+    def _reference(self, at: int, row: int, number: int) -> Span:
+        """The columns of a reference, counted from 0, in a line."""
+        text = self._gathered.steps[at].text.document.line(row)
+        start = next(islice(names(text), number, None))[0]
+        return Span(start, text.index("|", start + 1) + 1)
 
     def _directive(self, at: int, step: Directive) -> int:
         """Follow a directive; the step that comes next."""
