@@ -48,7 +48,7 @@ RUN_TIME = [
     ("double-sign", 1, "5-8", "G1 Z-|z| F|f|", {"z": "-1.6", "f": "-5"}),
     ("double-sign", 2, "5-8", "#LOOP1 |z| 2 c\nG1 Z-|z|\n#ENDLOOP1", {"z": "-4"}),
     ("double-sign", 2, "6-9", "#LOOP1 |z| 2 r\nG1 Z+ |z|\n#ENDLOOP1", {"z": "-4"}),
-    ("double-sign", 1, "9-12", "G1 X2 Y |s||y|", {"s": "-", "y": "+1"}),
+    ("double-sign", 1, "8-11", "G1 X2 Y |s||y|", {"s": "-", "y": "+1"}),
     ("double-sign", 1, "4-7", "G1 X|x| (-)", {"x": "--5"}),
     ("alpha-number", 1, "5-23", "#IF1 |t| greaterthan 10 a\n#ENDIF1", {"t": "9"}),
 ]
