@@ -9,8 +9,10 @@ file, and the sums of all untouched nodes stay known.
 from __future__ import annotations
 
 from array import array
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
+from itertools import compress, count
+from operator import sub
 from typing import Any
 
 from deburr_grammar.line import Shape, Shapes
@@ -23,7 +25,7 @@ FANOUT = 8
 class Chunk:
     """Whole lines of text. Only the last chunk of a document may have a tail behind its last line end."""
 
-    __slots__ = ("_marked", "_needs_depth", "_shapes", "_starts", "chars", "eols", "memo", "table", "text")
+    __slots__ = ("_distinct", "_marked", "_needs_depth", "_shapes", "_starts", "chars", "eols", "memo", "table", "text")
 
     def __init__(
         self, text: str, table: Shapes, starts: array[int] | None = None, shapes: list[Shape] | None = None
@@ -36,6 +38,7 @@ class Chunk:
         self.eols = _count_ends(text) if starts is None else len(starts) - 1
         self.memo: dict[Any, Any] = {}
         """Room for what is derived from this chunk alone, under keys that name all else that went in."""
+        self._distinct: tuple[Shape, ...] | None = None
         self._marked: array[int] | None = None
         self._needs_depth: bool | None = None
 
@@ -65,6 +68,12 @@ class Chunk:
         return split_lines(self.text)
 
     @property
+    def lengths(self) -> list[int]:
+        """How long each line is with its ending, the tail included."""
+        starts = self.starts
+        return [*map(sub, starts[1:], starts), self.chars - starts[-1]]
+
+    @property
     def shapes(self) -> list[Shape]:
         """The shape of every line, and of the tail if there is one."""
         if self._shapes is None:
@@ -80,17 +89,29 @@ class Chunk:
         return self._shapes
 
     @property
+    def distinct(self) -> tuple[Shape, ...]:
+        """Each shape once. There are few, so what hangs on shapes alone is asked of them and not of the lines."""
+        if self._distinct is None:
+            self._distinct = tuple(set(self.shapes))
+        return self._distinct
+
+    def where(self, shapes: set[Shape], start: int = 0, stop: int | None = None) -> Iterator[int]:
+        """The numbers of the lines of some shapes, of those from ``start`` up to ``stop``."""
+        among = self.shapes if not start and stop is None else self.shapes[start:stop]
+        return compress(count(start), map(shapes.__contains__, among)) if shapes else iter(())
+
+    @property
     def marked(self) -> array[int]:
         """The numbers of the lines that must be shown to the outline."""
         if self._marked is None:
-            self._marked = array("I", [index for index, shape in enumerate(self.shapes) if shape.marked])
+            self._marked = array("I", self.where({shape for shape in self.distinct if shape.marked}))
         return self._marked
 
     @property
     def needs_depth(self) -> bool:
         """Whether any line asks how deep it stands."""
         if self._needs_depth is None:
-            self._needs_depth = any(shape.needs_depth for shape in set(self.shapes))
+            self._needs_depth = any(shape.needs_depth for shape in self.distinct)
         return self._needs_depth
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Collection, Hashable, Iterator
 from functools import cached_property
 from itertools import islice, pairwise
 from typing import NamedTuple, TypeVar
@@ -41,11 +41,32 @@ class Piece(NamedTuple):
     def read(self) -> Iterator[tuple[Reading, int, list[Shape]]]:
         """Stretches of lines under one reading: the reading, its first line, the shapes."""
         shapes = self.chunk.shapes
+        for reading, first, stop in self._stretches():
+            yield reading, first, shapes if stop - first == len(shapes) else shapes[first:stop]
+
+    def distinct(self) -> Iterator[tuple[Reading, Shape]]:
+        """What lines there are: each reading with each of its shapes once, if it is in one stretch."""
+        for reading, first, stop in self._stretches():
+            yield from ((reading, shape) for shape in self._distinct(first, stop))
+
+    def where(self, says: Callable[[Reading, Shape], object]) -> Iterator[tuple[int, Reading, Shape]]:
+        """The lines whose shapes are such as ``says`` says, in order; it is asked once for each shape of a stretch."""
+        shapes = self.chunk.shapes
+        for reading, first, stop in self._stretches():
+            wanted = {shape for shape in self._distinct(first, stop) if says(reading, shape)}
+            yield from ((index, reading, shapes[index]) for index in self.chunk.where(wanted, first, stop))
+
+    def _stretches(self) -> Iterator[tuple[Reading, int, int]]:
+        """The readings, each with its first line and the line behind its last."""
         runs = self.outlined.runs
         for number, (first, reading) in enumerate(runs):
-            stop = runs[number + 1][0] if number + 1 < len(runs) else len(shapes)
+            stop = runs[number + 1][0] if number + 1 < len(runs) else len(self.chunk.shapes)
             if first < stop:
-                yield reading, first, shapes[first:stop]
+                yield reading, first, stop
+
+    def _distinct(self, first: int, stop: int) -> Collection[Shape]:
+        shapes = self.chunk.shapes
+        return self.chunk.distinct if stop - first == len(shapes) else set(shapes[first:stop])
 
 
 class _Way(NamedTuple):
@@ -64,6 +85,7 @@ class Document:
         self._size = size
         self._given = given
         self._last_way: _Way | None = None
+        self._known_pieces: list[Piece] = []
 
     @classmethod
     def parse(cls, text: str, dialect: Dialect, size: int = SIZE, given: frozenset[str] = frozenset()) -> Document:
@@ -116,6 +138,22 @@ class Document:
 
     def pieces(self) -> Iterator[Piece]:
         """The chunks in order, each in its place."""
+        at = 0
+        while True:
+            # Each is placed when it is first come to: whoever works in steps must be able to leave between two.
+            if at == len(self._known_pieces) and (piece := next(self._placing, None)):
+                self._known_pieces.append(piece)
+            if at == len(self._known_pieces):
+                return
+            yield self._known_pieces[at]
+            at += 1
+
+    @cached_property
+    def _placing(self) -> Iterator[Piece]:
+        """The pieces that have not been come to yet."""
+        return self._all_pieces()
+
+    def _all_pieces(self) -> Iterator[Piece]:
         first = 0
         for chunk, before in self._placed(self._root, self._outliner.start):
             yield Piece(first, chunk, before, self._outliner.outlined(chunk, before))
@@ -133,11 +171,9 @@ class Document:
     def problems(self) -> Iterator[tuple[int, Problem]]:
         """All syntax faults with their lines, in order. Only lines that are read have any."""
         for piece in self.pieces():
-            for reading, first, shapes in piece.read():
-                faulty = {shape for shape in set(shapes) if shape.facts(reading).problems}
-                for index in (at for at, shape in enumerate(shapes, first) if shape in faulty) if faulty else ():
-                    for problem in piece.node(index).problems:
-                        yield piece.line + index, problem
+            for index, _, _ in piece.where(lambda reading, shape: shape.facts(reading).problems):
+                for problem in piece.node(index).problems:
+                    yield piece.line + index, problem
 
     def brackets(self) -> Iterator[tuple[int, Bracket]]:
         """All openers, closers and boundaries with their lines, in order."""

@@ -53,11 +53,10 @@ def through(fold: Fold[S], state: S, chunk: Chunk, outlined: Outlined, upto: int
     for index, bracket in outlined.brackets:
         held.setdefault(index, []).append(bracket)
     plain = fold.plain
-    lines = chunk.lines if chunk.marked else ()
     for index, shape in enumerate(chunk.shapes[:upto]):
         reading = runs.get(index, reading)
         if shape.marked:
-            state = fold.marked(state, LineNode(lines[index], reading, shape), held.get(index, ()))
+            state = fold.marked(state, LineNode(chunk.line(index), reading, shape), held.get(index, ()))
         else:
             state = plain(state, reading, shape)
     return state

@@ -135,15 +135,13 @@ def shapes_of(dialect: Dialect) -> Shapes:
 class LineNode:
     """One line: its text without the ending, its reading, its tree and its problems, in columns of the line."""
 
-    __slots__ = ("_columns", "_nodes", "_searched", "_tree", "reading", "shape", "text")
+    __slots__ = ("_columns", "_tree", "reading", "shape", "text")
 
     def __init__(self, text: str, reading: Reading, shape: Shape) -> None:
         self.text = text
         self.reading = reading
         self.shape = shape
         self._tree: Node | None = None
-        self._nodes: tuple[Node, ...] | None = None
-        self._searched = False
         self._columns: list[int] | None = None
 
     @property
@@ -179,12 +177,6 @@ class LineNode:
         """All nodes of the given kinds, in reading order."""
         if self.kinds.isdisjoint(kinds):
             return iter(())
-        if self._nodes is None and self._searched:
-            # Asked again: from now on the whole tree in columns of the line costs less than its parts one by one.
-            self._nodes = tuple(part for part in walk(self.tree) if isinstance(part, Node))
-        self._searched = True
-        if self._nodes is not None:
-            return (node for node in self._nodes if node.kind in kinds)
         nodes = _nodes(self.dialect, self.reading, self.shape.text)
         return (self._moved(node) for node in nodes if node.kind in kinds)
 

@@ -120,11 +120,10 @@ class Outliner:
         state, running = before.state, before.balance
         runs = [(0, outline.reading(state))]
         found: list[tuple[int, Bracket]] = []
-        lines = chunk.lines if chunk.marked else ()
         for index in chunk.marked:
             shape = chunk.shapes[index]
             depth = running.openers if shape.needs_depth else -1
-            step = _step(self.dialect, self.facts, state, depth, shape, lines[index])
+            step = _step(self.dialect, self.facts, state, depth, shape, chunk.line(index))
             _run(runs, index, step.reading)
             found += [(index, bracket) for bracket in step.brackets]
             for bracket in step.brackets:

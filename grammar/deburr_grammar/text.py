@@ -9,6 +9,7 @@ from itertools import accumulate
 from typing import NamedTuple
 
 EOL = re.compile(r"\r\n|\n|\r")
+_AND_ITS_END = (1).__add__
 
 
 class Pos(NamedTuple):
@@ -37,7 +38,7 @@ def line_starts(text: str) -> array[int]:
     """Offsets at which lines start; one more than there are line ends, so the last entry starts the tail."""
     if "\r" in text:
         return array("I", (0, *(match.end() for match in EOL.finditer(text))))
-    starts = array("I", accumulate((len(line) + 1 for line in text.split("\n")), initial=0))
+    starts = array("I", accumulate(map(_AND_ITS_END, map(len, text.split("\n"))), initial=0))
     starts.pop()
     return starts
 

@@ -1,5 +1,7 @@
 """What a line was read as: tokens and nodes with columns. Never holds a line number."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator
 from typing import NamedTuple, Union
 
@@ -12,23 +14,56 @@ class Token(NamedTuple):
     end: int
 
 
-class Node(NamedTuple):
-    """A rule of the line grammar: its name, its columns from first to last token, its parts."""
+class Node:
+    """A rule of the line grammar: its name, its columns from first to last token, its parts. Never changed once it is made.
 
-    kind: str
-    start: int
-    end: int
-    children: tuple[Union["Node", Token], ...]
+    One that was `moved` moves its parts when they are asked for: of most nodes of a line only the columns are.
+    """
 
-    def find(self, kind: str) -> Union["Node", Token, None]:
+    __slots__ = ("_children", "_to", "end", "kind", "start")
+
+    def __init__(
+        self,
+        kind: str,
+        start: int,
+        end: int,
+        children: tuple[Union[Node, Token], ...],
+        to: Callable[[int], int] | None = None,
+    ) -> None:
+        self.kind = kind
+        self.start = start
+        self.end = end
+        self._children = children
+        self._to = to
+
+    @property
+    def children(self) -> tuple[Union[Node, Token], ...]:
+        """The parts from left to right."""
+        if (to := self._to) is not None:
+            self._children = tuple([_part(child, to) for child in self._children])
+            self._to = None
+        return self._children
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Node):
+            return NotImplemented
+        return (self.kind, self.start, self.end, self.children) == (other.kind, other.start, other.end, other.children)
+
+    def __hash__(self) -> int:
+        return hash((self.kind, self.start, self.end, self.children))
+
+    def __repr__(self) -> str:
+        return f"Node({self.kind!r}, {self.start}, {self.end}, {self.children!r})"
+
+    def find(self, kind: str) -> Union[Node, Token, None]:
         """The first direct part of that kind."""
         return next((child for child in self.children if child.kind == kind), None)
 
-    def node(self, kind: str) -> Union["Node", None]:
+    def node(self, kind: str) -> Union[Node, None]:
         """The first direct part of that kind that is a node."""
         return next((child for child in self.children if isinstance(child, Node) and child.kind == kind), None)
 
-    def nodes(self) -> Iterator["Node"]:
+    def nodes(self) -> Iterator[Node]:
         """The direct parts that are nodes."""
         return (child for child in self.children if isinstance(child, Node))
 
@@ -50,9 +85,8 @@ def tokens(tree: Node | Token) -> Iterator[Token]:
 
 def moved(tree: Node, to: Callable[[int], int]) -> Node:
     """The same tree with every column sent through ``to``."""
-    kind, start, end, children = tree
-    parts = [
-        moved(child, to) if isinstance(child, Node) else Token(child.kind, to(child.start), to(child.end))
-        for child in children
-    ]
-    return Node(kind, to(start), to(end), tuple(parts))
+    return Node(tree.kind, to(tree.start), to(tree.end), tree.children, to)
+
+
+def _part(part: Node | Token, to: Callable[[int], int]) -> Node | Token:
+    return moved(part, to) if isinstance(part, Node) else Token(part.kind, to(part.start), to(part.end))

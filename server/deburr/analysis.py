@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any
@@ -149,32 +148,32 @@ class Analysis:
         node = self.document.node(piece.line + index)
         plan = self.ruleset.plan(node.shape, node.reading)
         if node.reading.start is not None:
-            plan += tuple(rule for rule, pattern in self.ruleset.on_text if pattern.search(node.text))
+            plan += tuple(rule for rule, searched in self.ruleset.on_text if searched.found(node.text))
             plan += tuple(rule for rule, limit in self.ruleset.on_length if len(node.text) > limit)
         said = self.ruleset.on_line(node, plan, piece.chunk.ending(index))
         return (Said(index, rule, report) for rule, report in said)
 
     def _planned(self, piece: Piece) -> Iterator[Said]:
         plan = self.ruleset.plan
-        for reading, first, shapes in piece.read():
-            plans = {shape: planned for shape in set(shapes) if (planned := plan(shape, reading))}
-            for index in (at for at, shape in enumerate(shapes, first) if shape in plans) if plans else ():
-                for rule, report in self.ruleset.on_line(piece.node(index), plans[shapes[index - first]]):
-                    yield Said(index, rule, report)
+        for index, reading, shape in piece.where(lambda reading, shape: plan(shape, reading)):
+            for rule, report in self.ruleset.on_line(piece.node(index), plan(shape, reading)):
+                yield Said(index, rule, report)
 
     def _texts(self, piece: Piece) -> Iterator[Said]:
         text = with_newlines(piece.chunk.text)
-        for rule, pattern in self.ruleset.on_text:
-            yield from self._of_rule(rule, piece, dict.fromkeys(_matching(pattern, text)))
+        for rule, searched in self.ruleset.on_text:
+            yield from self._of_rule(rule, piece, searched.lines(text))
 
     def _long(self, piece: Piece) -> Iterator[Said]:
         if not self.ruleset.on_length:
             return
-        lengths = list(map(len, piece.chunk.lines))
+        # With their endings: long enough is then looked at for what it is.
+        lengths = piece.chunk.lengths
         longest = max(lengths)
         for rule, limit in self.ruleset.on_length:
             if longest > limit:
-                yield from self._of_rule(rule, piece, (at for at, length in enumerate(lengths) if length > limit))
+                long = (at for at, length in enumerate(lengths) if length > limit)
+                yield from self._of_rule(rule, piece, (at for at in long if len(piece.chunk.line(at)) > limit))
 
     def _of_rule(self, rule: Rule, piece: Piece, lines: Iterable[int]) -> Iterator[Said]:
         for index in lines:
@@ -193,12 +192,3 @@ class Analysis:
     def _related(self, note: Note) -> Related:
         file = self.file if note.file is None else note.file
         return Related(Place(file, note.line, note.span.start, note.line, note.span.end), note.message)
-
-
-def _matching(pattern: re.Pattern[str], text: str) -> Iterator[int]:
-    """The lines in which a pattern is found, counted from the text's first."""
-    line = at = 0
-    for match in pattern.finditer(text):
-        line += text.count("\n", at, match.start())
-        at = match.start()
-        yield line

@@ -125,9 +125,13 @@ class Modal(NamedTuple):
 
 
 class Text(NamedTuple):
-    """The rule is called for each line in whose text the pattern is found: `check(line)`. The pattern must not match a line end."""
+    """The rule is called for each line in whose text the pattern is found: `check(line)`. The pattern must not match a line end.
+
+    ``signs``: characters with one of which every match starts. To find a sign costs much less than to try a pattern everywhere.
+    """
 
     pattern: str
+    signs: str = ""
 
 
 class Long(NamedTuple):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from deburr.finding import Severity
 from deburr.rule import (
@@ -28,6 +28,38 @@ from deburr_grammar.dialect import Dialect, Reading
 from deburr_grammar.line import LineNode, Shape
 
 _PLANS = 100_000
+
+
+class Searched(NamedTuple):
+    """A pattern, and characters with one of which every match starts (none given: anything)."""
+
+    pattern: re.Pattern[str]
+    signs: str = ""
+
+    def lines(self, text: str) -> Iterator[int]:
+        """The lines of a text that hold a match, counted from its first."""
+        line, at, last = 0, 0, -1
+        for place in sorted(self._starts(text)):
+            line += text.count("\n", at, place)
+            at = place
+            if line != last:
+                last = line
+                yield line
+
+    def found(self, text: str) -> bool:
+        """Whether there is a match."""
+        return next(self._starts(text), None) is not None
+
+    def _starts(self, text: str) -> Iterator[int]:
+        if not self.signs:
+            yield from (match.start() for match in self.pattern.finditer(text))
+        for sign in self.signs:
+            at = text.find(sign)
+            while at >= 0:
+                match = self.pattern.match(text, at)
+                if match is not None:
+                    yield at
+                at = text.find(sign, at + 1 if match is None else max(match.end(), at + 1))
 
 
 class RuleSet:
@@ -111,10 +143,13 @@ class RuleSet:
         return {rule.short: rule for rule in self._all}
 
     @cached_property
-    def on_text(self) -> tuple[tuple[Rule, re.Pattern[str]], ...]:
-        """Rules on the text of lines, with their patterns."""
+    def on_text(self) -> tuple[tuple[Rule, Searched], ...]:
+        """Rules on the text of lines, with what is searched for."""
+        triggers = ((rule, rule.trigger) for rule in self.rules)
         return tuple(
-            (rule, re.compile(rule.trigger.pattern, re.M)) for rule in self.rules if isinstance(rule.trigger, Text)
+            (rule, Searched(re.compile(trigger.pattern, re.M), trigger.signs))
+            for rule, trigger in triggers
+            if isinstance(trigger, Text)
         )
 
     @cached_property

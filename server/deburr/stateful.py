@@ -9,7 +9,7 @@ from deburr.rule import Line
 from deburr_grammar.line import LineNode
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator, Sequence
 
     from deburr.modal import Modal, State
     from deburr.rule import Report, Rule
@@ -30,10 +30,24 @@ class Said(NamedTuple):
 
 
 class _Step(NamedTuple):
-    """A shape under a state: the rules that have something to say, and the state behind it (None: it depends on the line)."""
+    """A shape under a state: the rules that have something to say, and what holds behind it (None: it depends on the line)."""
 
     plan: tuple[Rule, ...]
-    after: State | None
+    after: _Steps | None
+
+
+class _Steps(dict["Shape", "_Step | None"]):
+    """The steps of shapes under a state and a reading, made when they are met. None: nothing is said, and nothing changes."""
+
+    def __init__(self, state: State, reading: Reading, make: Callable[[_Steps, Shape], _Step | None]) -> None:
+        super().__init__()
+        self.state = state
+        self.reading = reading
+        self._make = make
+
+    def __missing__(self, shape: Shape) -> _Step | None:
+        step = self[shape] = self._make(self, shape)
+        return step
 
 
 class Stateful:
@@ -42,7 +56,7 @@ class Stateful:
     def __init__(self, ruleset: RuleSet, modal: Modal) -> None:
         self._ruleset = ruleset
         self._modal = modal
-        self._steps: dict[tuple[State, str], dict[Shape, _Step]] = {}
+        self._steps: dict[tuple[State, str], _Steps] = {}
 
     def findings(self, document: Document) -> Iterator[tuple[Piece, Said]]:
         """What the rules say of a program; kept with each chunk under the state before it."""
@@ -69,26 +83,25 @@ class Stateful:
         """What the rules say of one line, counted from itself."""
         node = document.node(line)
         state = document.state(self._modal, line)
-        return self._said(node, state, self._step(state, node.reading, node.shape).plan, 0)
+        step = self._under(state, node.reading)[node.shape]
+        return self._said(node, state, step.plan if step is not None else (), 0)
 
     def _through(self, piece: Piece, state: State) -> tuple[tuple[Said, ...], State]:
         found: list[Said] = []
         held: dict[int, list[Bracket]] = {}
         for index, bracket in piece.outlined.brackets:
             held.setdefault(index, []).append(bracket)
-        lines = piece.chunk.lines if piece.chunk.marked else ()
         for reading, first, shapes in piece.read():
             steps = self._under(state, reading)
             for index, shape in enumerate(shapes, first):
-                step = steps.get(shape) or self._step(state, reading, shape)
+                step = steps[shape]
+                if step is None:
+                    continue
                 if step.plan:
-                    found += self._said(piece.node(index), state, step.plan, index)
+                    found += self._said(piece.node(index), steps.state, step.plan, index)
                 after = step.after
-                if after is None:
-                    after = self._modal.marked(state, LineNode(lines[index], reading, shape), held.get(index, ()))
-                if after is not state:
-                    state = after
-                    steps = self._under(state, reading)
+                steps = after if after is not None else self._behind(steps, piece.node(index), held.get(index, ()))
+            state = steps.state
         return tuple(found), state
 
     def _said(self, node: LineNode, state: State, plan: tuple[Rule, ...], index: int) -> Iterator[Said]:
@@ -96,22 +109,25 @@ class Stateful:
         for rule in plan:
             yield from (Said(index, rule, report) for report in rule.check(line, state))
 
-    def _under(self, state: State, reading: Reading) -> dict[Shape, _Step]:
+    def _behind(self, steps: _Steps, node: LineNode, brackets: Sequence[Bracket]) -> _Steps:
+        return self._under(self._modal.marked(steps.state, node, brackets), steps.reading)
+
+    def _under(self, state: State, reading: Reading) -> _Steps:
         key = (state, reading.name)
         steps = self._steps.get(key)
         if steps is None:
             if len(self._steps) >= _STATES:
                 self._steps.clear()
-            steps = self._steps[key] = {}
+            steps = self._steps[key] = _Steps(state, reading, self._step)
         return steps
 
-    def _step(self, state: State, reading: Reading, shape: Shape) -> _Step:
-        steps = self._under(state, reading)
-        step = steps.get(shape)
-        if step is None:
-            after = None if shape.marked else self._modal.plain(state, reading, shape)
-            step = steps[shape] = _Step(self._planned(state, reading, shape), after)
-        return step
+    def _step(self, steps: _Steps, shape: Shape) -> _Step | None:
+        state, reading = steps.state, steps.reading
+        plan = self._planned(state, reading, shape)
+        if shape.marked:
+            return _Step(plan, None)
+        after = self._modal.plain(state, reading, shape)
+        return _Step(plan, self._under(after, reading)) if plan or after is not state else None
 
     def _planned(self, state: State, reading: Reading, shape: Shape) -> tuple[Rule, ...]:
         if reading.start is None:

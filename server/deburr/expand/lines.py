@@ -16,14 +16,12 @@ if TYPE_CHECKING:
 
 def reports(piece: Piece, rules: RuleSet) -> Iterator[tuple[int, Rule, Report]]:
     """What the rules say of a piece, with the lines counted from its first."""
-    for reading, first, shapes in piece.read():
-        plans = {shape: plan for shape in set(shapes) if (plan := rules.plan(shape, reading))}
-        for index in (at for at, shape in enumerate(shapes, first) if shape in plans) if plans else ():
-            for rule, report in rules.on_line(piece.node(index), plans[shapes[index - first]]):
-                yield index, rule, report
+    for index, reading, shape in piece.where(lambda reading, shape: rules.plan(shape, reading)):
+        for rule, report in rules.on_line(piece.node(index), rules.plan(shape, reading)):
+            yield index, rule, report
     text = with_newlines(piece.chunk.text)
-    for rule, pattern in rules.on_text:
-        for index in dict.fromkeys(text.count("\n", 0, match.start()) for match in pattern.finditer(text)):
+    for rule, searched in rules.on_text:
+        for index in searched.lines(text):
             node = piece.node(index)
             for found, report in rules.on_line(node, (rule,)) if node.reading.start is not None else ():
                 yield index, found, report

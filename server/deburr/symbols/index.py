@@ -137,11 +137,9 @@ class _Index:
 
     def _mentions(self, piece: Piece) -> Iterator[tuple[int, Mention]]:
         naming = self._language.NAMING
-        for reading, first, shapes in piece.read():
-            wanted = {shape for shape in set(shapes) if not shape.facts(reading).kinds.isdisjoint(naming)}
-            for index in (at for at, shape in enumerate(shapes, first) if shape in wanted) if wanted else ():
-                for mention in _of_line(piece.node(index), self._language, self._names):
-                    yield index, mention
+        for index, _, _ in piece.where(lambda reading, shape: not shape.facts(reading).kinds.isdisjoint(naming)):
+            for mention in _of_line(piece.node(index), self._language, self._names):
+                yield index, mention
 
 
 def _of_sorts(symbols: frozenset[Symbol], sorts: frozenset[Sort]) -> frozenset[Symbol]:

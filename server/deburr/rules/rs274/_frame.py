@@ -6,9 +6,10 @@ from typing import NamedTuple
 from deburr.analysis import Analysis
 from deburr.rules.rs274._files import Target, World, world_of
 from deburr.rules.rs274._program import program_of
+from deburr_grammar.dialect import Reading
 from deburr_grammar.dialects.rs274.outline import State, codes
 from deburr_grammar.document import Piece
-from deburr_grammar.line import LineNode
+from deburr_grammar.line import LineNode, Shape
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Token
 
@@ -112,10 +113,10 @@ def _lines(
 
 
 def _indices(piece: Piece, wanted: Callable[[LineNode], bool], may: Callable[[str], bool]) -> Iterator[int]:
-    for reading, first, shapes in piece.read():
-        if reading.start is not None:
-            found = {each for each in set(shapes) if may(each.text) and wanted(LineNode(each.text, reading, each))}
-            yield from (index for index, shape in enumerate(shapes, first) if shape in found)
+    def says(reading: Reading, shape: Shape) -> bool:
+        return reading.start is not None and may(shape.text) and wanted(LineNode(shape.text, reading, shape))
+
+    return (index for index, _, _ in piece.where(says))
 
 
 def _has_percent(line: LineNode) -> bool:

@@ -16,7 +16,7 @@ from deburr_grammar.line import LineNode, Shape
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
-_PARTS = frozenset(("param", "CALL", "PERCENT", "o_line"))
+_PARTS = frozenset(("param", "CALL", "PERCENT"))
 _CALLING = re.compile(r"[Mm][ \t]*0*[ \t]*9[ \t]*8(?![0-9])|[Gg][ \t]*0*[ \t]*7[ \t]*[0-2](?![0-9])")
 _CONTOURS = frozenset(("G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2"))
 _MENTIONED = re.compile(r"#[ \t]*(?:<([^<>]*)>|([0-9]+))")
@@ -89,21 +89,26 @@ def _of_piece(document: Document, piece: Piece, settings: Mapping[str, Any]) -> 
     found: Held | None = piece.chunk.memo.get(key)
     if found is None:
         found = piece.chunk.memo[key] = Held([], [], [], [], [])
-        for reading, first, shapes in piece.read():
-            wanted = {shape for shape in set(shapes) if _says(shape, reading)}
-            for at in (at for at, shape in enumerate(shapes, first) if shape in wanted) if wanted else ():
-                _take(found, at, Line(piece.node(at), settings))
+        for at, _, _ in piece.where(_says):
+            _take(found, at, Line(piece.node(at), settings))
     return found
 
 
-def _says(shape: Shape, reading: Reading) -> bool:
-    """Whether lines of a shape can say anything that is gathered."""
+def _says(reading: Reading, shape: Shape) -> bool:
+    """Whether lines of a shape can say anything that is gathered; kept with the shape."""
     if reading.start is None:
         return False
-    facts = shape.facts(reading)
-    if not facts.kinds.isdisjoint(_PARTS) or (facts.problems and "#" in shape.text):
-        return True
-    return shape.needs_depth or ("word" in facts.kinds and _CALLING.search(shape.text) is not None)
+    key = ("rs274 held", reading.name)
+    if key not in shape.memo:
+        facts = shape.facts(reading)
+        shape.memo[key] = (
+            not facts.kinds.isdisjoint(_PARTS)
+            or ("#" in shape.text and bool(facts.problems))
+            or shape.needs_depth
+            or ("word" in facts.kinds and _CALLING.search(shape.text) is not None)
+            or any(True for _ in _bare(LineNode(shape.text, reading, shape)))
+        )
+    return bool(shape.memo[key])
 
 
 def _take(found: Held, at: int, line: Line) -> None:
@@ -114,10 +119,15 @@ def _take(found: Held, at: int, line: Line) -> None:
         found.percents.append(at)
     if node.shape.needs_depth and "DELETE" not in node.kinds and {code for code, _ in codes(node)} & {"M2", "M30"}:
         found.ends.append(at)
+    found.bare.extend((at, _label(node, label)) for label in _bare(node))
+
+
+def _bare(node: LineNode) -> Iterator[Node]:
+    """The labels of O-words without a command."""
     for o_line in node.find("o_line") if not node.problems else ():
         label = o_line.children[1]
         if isinstance(label, Node) and all(part.kind == "COMMENT" for part in o_line.children[2:]):
-            found.bare.append((at, _label(node, label)))
+            yield label
 
 
 def _uses(at: int, line: Line) -> Iterator[Use]:

@@ -55,6 +55,8 @@ class _Step(NamedTuple):
     after: State | None
 
 
+_ARC = re.compile(r"[IJKRijkr]|[Gg][^A-Za-z]*[23]")
+"""What a line may be an arc by."""
 _SIMPLE = re.compile(r"[ \t]*(?:[A-Za-z][+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)[ \t]*)+")
 _WORD = re.compile(r"([IJKRXYZ])([+-]?[0-9.]+)")
 
@@ -91,9 +93,7 @@ class _Walk:
         """Whether any line may be an arc."""
         key = ("rs274 has arcs", self._document.key(piece))
         if key not in piece.chunk.memo:
-            piece.chunk.memo[key] = any(
-                self._may_be_arc(reading, shape) for reading, _, shapes in piece.read() for shape in set(shapes)
-            )
+            piece.chunk.memo[key] = any(self._may_be_arc(reading, shape) for reading, shape in piece.distinct())
         found: bool = piece.chunk.memo[key]
         return found
 
@@ -115,7 +115,7 @@ class _Walk:
         return kept
 
     def _may_be_arc(self, reading: Reading, shape: Shape) -> bool:
-        if reading.start is None or "word" not in shape.facts(reading).kinds:
+        if reading.start is None or "word" not in shape.facts(reading).kinds or not _ARC.search(shape.text):
             return False
         return not words(self._sample(reading, shape)).has.isdisjoint(("G2", "G3", "I", "J", "K", "R"))
 

@@ -46,10 +46,7 @@ def _lines(analysis: Analysis, piece: Piece) -> tuple[int, ...]:
 
 
 def _of_piece(analysis: Analysis, piece: Piece) -> Iterator[int]:
-    for reading, first, shapes in piece.read():
-        wanted = {shape for shape in set(shapes) if _has_unknown(analysis, reading, shape)}
-        if wanted:
-            yield from (index for index, shape in enumerate(shapes, first) if shape in wanted)
+    return (index for index, _, _ in piece.where(lambda reading, shape: _has_unknown(analysis, reading, shape)))
 
 
 def _has_unknown(analysis: Analysis, reading: Reading, shape: Shape) -> bool:

@@ -7,10 +7,11 @@ from deburr.arithmetic import ArithmeticFault
 from deburr.arithmetic.rs274 import constant
 from deburr.rule import Line, Report
 from deburr_grammar.text import Span
-from deburr_grammar.tree import Node
+from deburr_grammar.tree import Node, Token, walk
 
 NEAR = 1e-4
 """How near to an integer a value must be where one is required (spec/rs274.md §1.2)."""
+_RUN = frozenset(("param", "exists"))
 
 
 def faults(line: Line, node: Node, rule: str) -> Iterator[Report]:
@@ -25,6 +26,11 @@ def _own(node: Node, fault: ArithmeticFault) -> bool:
     """A division is blamed on its divisor, all else on the operation itself."""
     at_divisor = fault.rule == "divide-by-zero" and any(fault.part is child for child in node.children)
     return at_divisor or fault.part is node
+
+
+def literal(part: Node | Token) -> bool:
+    """Whether the value of a part hangs on numbers alone: on no parameter, which only the run knows."""
+    return all(each.kind not in _RUN for each in walk(part))
 
 
 def index(line: Line, param: Node) -> float | None:

@@ -32,11 +32,12 @@ from deburr.analysis import Analysis
 from deburr.modal import modal_of
 from deburr.rule import Line, Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._words import UNKNOWN, Words, governs, motion, node, said, values, words
+from deburr.ruleset import Searched
 from deburr_grammar.dialects.rs274.modality import AXES, FEEDS
 from deburr_grammar.document import Piece
-from deburr_grammar.text import Span
+from deburr_grammar.text import Span, with_newlines
 
-_ZERO = re.compile(r"[Ff][ \t]*[+-]?[ \t]*[0.][0. \t]*(?![0-9.])")
+_ZERO = Searched(re.compile(r"[Ff][ \t]*[+-]?[ \t]*[0.][0. \t]*(?![0-9.])"), "Ff")
 _FARTHEST = 1_000
 """Lines within which the move is looked for."""
 
@@ -57,13 +58,13 @@ def _zeroes(analysis: Analysis) -> Iterator[int]:
     for piece in analysis.document.pieces():
         key = ("rs274 F0", analysis.document.key(piece))
         if key not in piece.chunk.memo:
-            piece.chunk.memo[key] = tuple(_of_piece(analysis, piece)) if _ZERO.search(piece.chunk.text) else ()
+            piece.chunk.memo[key] = tuple(_of_piece(analysis, piece))
         yield from (piece.line + index for index in piece.chunk.memo[key])
 
 
 def _of_piece(analysis: Analysis, piece: Piece) -> Iterator[int]:
-    for index, text in enumerate(piece.chunk.lines):
-        if _ZERO.search(text) and values(Line(piece.node(index), analysis.settings)).get("F") == 0:
+    for index in _ZERO.lines(with_newlines(piece.chunk.text)):
+        if values(Line(piece.node(index), analysis.settings)).get("F") == 0:
             yield index
 
 

@@ -38,7 +38,7 @@ from collections.abc import Iterator
 from math import floor
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.rs274._values import NEAR, asked, index
+from deburr.rules.rs274._values import NEAR, asked, index, literal
 from deburr.rules.rs274._words import value
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
@@ -47,10 +47,10 @@ _INTEGERS = {"T": "a tool number", "H": "a tool offset", "L": "a count", "M": "a
 
 
 def _may(line: Line, node: Node) -> bool:
-    if node.kind == "param":
-        return True
-    said = line.said(node)
-    return said[0].upper() in _INTEGERS and ("." in said or not isinstance(node.children[-1], Token))
+    number = node.children[-1]
+    if node.kind == "word" and line.text[node.start].upper() not in _INTEGERS:
+        return False
+    return literal(number) and ("." in line.said(number) or not isinstance(number, Token))
 
 
 @rule(Severity.ERROR, Nodes(("param", "word"), where=_may))

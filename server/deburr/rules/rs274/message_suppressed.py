@@ -38,7 +38,7 @@ from deburr.rules.rs274._comments import ACTIVE, active, comments
 from deburr_grammar.text import Span
 
 
-@rule(Severity.WARNING, Text(ACTIVE))
+@rule(Severity.WARNING, Text(ACTIVE, signs="("))
 def check(line: Line) -> Iterator[Report]:
     """Report every active comment that is not the last, or stands beside an O-word."""
     found = comments(line)

@@ -38,7 +38,7 @@ PATTERN = rf"(?i:\({_B}(?!(?:{'|'.join(_WORDS)}),)({_SPACED}){_B},)"
 _PATTERN = re.compile(PATTERN)
 
 
-@rule(Severity.INFO, Text(PATTERN))
+@rule(Severity.INFO, Text(PATTERN, signs="("))
 def check(line: Line) -> Iterator[Report]:
     """Report how the comment starts."""
     for comment in comments(line):

@@ -22,7 +22,7 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.WARNING, Nodes(("param",)))
+@rule(Severity.WARNING, Nodes(("param",), by_shape=True))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the empty name."""
     if name(line, node) == "":

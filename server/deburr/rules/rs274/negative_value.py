@@ -38,6 +38,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.rs274._values import literal
 from deburr.rules.rs274._words import value, words
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
@@ -55,7 +56,8 @@ _NO_DWELL = -1.0
 
 
 def _may(line: Line, node: Node) -> bool:
-    return line.text[node.start].upper() in (*_TAKES_NONE, "P", "H") and not isinstance(node.children[-1], Token)
+    letter, number = line.text[node.start].upper(), node.children[-1]
+    return letter in (*_TAKES_NONE, "P", "H") and not isinstance(number, Token) and literal(number)
 
 
 @rule(Severity.ERROR, Nodes(("word",), where=_may))

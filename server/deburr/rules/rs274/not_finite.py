@@ -25,11 +25,11 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.rs274._values import faults
+from deburr.rules.rs274._values import faults, literal
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.ERROR, Nodes(("function", "group")))
+@rule(Severity.ERROR, Nodes(("function", "group"), where=lambda _, node: literal(node)))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the function or the brackets."""
     yield from faults(line, node, "not-finite")

@@ -24,10 +24,15 @@ from deburr.arithmetic.rs274 import constant
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._values import NEAR
 from deburr_grammar.text import Span
-from deburr_grammar.tree import Node
+from deburr_grammar.tree import Node, Token
 
 
-@rule(Severity.ERROR, Nodes(("label",)))
+def _may(line: Line, node: Node) -> bool:
+    only = node.children[0]
+    return not isinstance(only, Token) or "." in line.said(only)
+
+
+@rule(Severity.ERROR, Nodes(("label",), where=_may))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the number."""
     number = constant(line.text, node, line.settings)

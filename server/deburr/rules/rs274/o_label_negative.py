@@ -26,10 +26,14 @@ from deburr.arithmetic.rs274 import constant
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._values import NEAR
 from deburr_grammar.text import Span
-from deburr_grammar.tree import Node
+from deburr_grammar.tree import Node, Token
 
 
-@rule(Severity.WARNING, Nodes(("label",)))
+def _may(_line: Line, node: Node) -> bool:
+    return not isinstance(node.children[0], Token)
+
+
+@rule(Severity.WARNING, Nodes(("label",), where=_may))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the label."""
     value = constant(line.text, node, line.settings)

@@ -34,14 +34,14 @@ Good (profile=smithy):
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.rs274._values import NEAR, asked, index
+from deburr.rules.rs274._values import NEAR, asked, index, literal
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 LAST = {"linuxcnc": 5601, "smithy": 5399}
 
 
-@rule(Severity.ERROR, Nodes(("param",)))
+@rule(Severity.ERROR, Nodes(("param",), where=lambda _, node: literal(node.children[1])))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the parameter."""
     number, last = index(line, node), LAST[line.settings["profile"]]

@@ -27,14 +27,20 @@ Good:
 from collections.abc import Iterator
 
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.rs274._values import index, name
+from deburr.rules.rs274._values import index, literal, name
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 READ_ONLY = (range(5400, 5414), range(5420, 5429))
 
 
-@rule(Severity.ERROR, Nodes(("setting",)))
+def _may(line: Line, node: Node) -> bool:
+    param = node.node("param")
+    named = name(line, param) if param is not None else None
+    return param is not None and (literal(param.children[1]) if named is None else named.startswith("_"))
+
+
+@rule(Severity.ERROR, Nodes(("setting",), where=_may))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the parameter on the left."""
     param = node.node("param")

@@ -31,7 +31,7 @@ _PYTHON = frozenset(("PY", "PYRUN", "PYRELOAD"))
 _MESSAGE = "this runs Python in the control; it is not run here, and what it changes is unknown"
 
 
-@rule(Severity.INFO, Text(r"[(;][ \t]*(?i:py(?:,|run,|reload))"))
+@rule(Severity.INFO, Text(r"[(;][ \t]*(?i:py(?:,|run,|reload))", signs="(;"))
 def check(line: Line) -> Iterator[Report]:
     """Report the comment."""
     found = [comment for comment in comments(line) if active(line, comment) in _PYTHON]

@@ -59,12 +59,12 @@ def check(analysis: Analysis) -> Iterator[Report]:
     if not reads or world.nested or world.is_library or analysis.settings["parameters"] or is_part(analysis):
         return
     told = {int(said) for said in given(analysis) if said.isdecimal()}
-    known = _known(world)
+    known, in_main = _known(world), _in_main(world)
     for use in reads:
         if (
             use.number is not None
             and use.number not in told
-            and _is_unset(world, use, known)
+            and _is_unset(world, use, known, in_main)
             and not world.is_idle(use.line)
         ):
             told.add(use.number)
@@ -83,18 +83,17 @@ def _known(world: World) -> set[int] | None:
     return {use.number for use in uses if use.number is not None}
 
 
-def _is_unset(world: World, use: Use, known: set[int] | None) -> bool:
+def _is_unset(world: World, use: Use, known: set[int] | None, in_main: set[int]) -> bool:
     if known is None:
         return False
     if use.number in FREE:
         return use.number not in known
     if use.number not in ARGUMENTS or world.main.sub_at(use.line) is not None or world.main.bare:
         return False
-    return use.number not in known or not _set_in_main(world, use.number)
+    return use.number not in known or use.number not in in_main
 
 
-def _set_in_main(world: World, number: int) -> bool:
-    return any(
-        use.number == number and use.role is not Role.READ and world.main.sub_at(use.line) is None
-        for use in world.main.uses
-    )
+def _in_main(world: World) -> set[int]:
+    """The numbers that the main program sets, asks for or names in a line that cannot be read."""
+    uses = (use for use in world.main.uses if use.role is not Role.READ and world.main.sub_at(use.line) is None)
+    return {use.number for use in uses if use.number is not None}

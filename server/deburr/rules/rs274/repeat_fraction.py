@@ -28,15 +28,24 @@ from deburr.arithmetic.rs274 import constant
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr.rules.rs274._values import NEAR
+from deburr.rules.rs274._values import NEAR, literal
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.WARNING, Nodes(("o_line",)))
+def _count(node: Node) -> Node | None:
+    return node.node("group") if node.find("REPEAT") else None
+
+
+def _may(line: Line, node: Node) -> bool:
+    count = _count(node)
+    return count is not None and literal(count) and line.said(count).strip("[]0 \t") != ""
+
+
+@rule(Severity.WARNING, Nodes(("o_line",), where=_may))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the count."""
-    count = node.node("group") if node.find("REPEAT") else None
+    count = _count(node)
     value = constant(line.text, count, line.settings) if count else None
     if count and isinstance(value, float) and abs(value - round(value)) > NEAR:
         turns = max(0, round(value))

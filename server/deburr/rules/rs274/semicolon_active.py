@@ -32,7 +32,7 @@ PATTERN = r"(?i:;[ \t]*(msg|debug|print|log|logopen|logappend|abort)[ \t]*,)"
 _PATTERN = re.compile(PATTERN)
 
 
-@rule(Severity.WARNING, Text(PATTERN))
+@rule(Severity.WARNING, Text(PATTERN, signs=";"))
 def check(line: Line) -> Iterator[Report]:
     """Report the comment."""
     comment = tail(line)

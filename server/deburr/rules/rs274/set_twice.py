@@ -27,7 +27,11 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 
-@rule(Severity.WARNING, Nodes(("setting",)))
+def _may(line: Line, node: Node) -> bool:
+    return any(setting.start != node.start for setting in line.node.find("setting"))
+
+
+@rule(Severity.WARNING, Nodes(("setting",), where=_may))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report every setting but the first of each parameter, all at a line's first setting."""
     if next(line.node.find("setting")).start != node.start:

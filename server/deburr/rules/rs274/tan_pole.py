@@ -23,19 +23,24 @@ Good:
 import math
 from collections.abc import Iterator
 
-from deburr.arithmetic.rs274 import constant
+from deburr.arithmetic.rs274 import constant, spelled
 from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.rs274._values import literal
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
 _NEAR = math.degrees(1e-12)
 
 
-@rule(Severity.WARNING, Nodes(("function",)))
+def _may(line: Line, node: Node) -> bool:
+    return spelled(line.text, node.children[0]) == "TAN" and literal(node)
+
+
+@rule(Severity.WARNING, Nodes(("function",), where=_may))
 def check(line: Line, node: Node) -> Iterator[Report]:
     """Report the function."""
     name, argument = node.children
-    if "".join(line.said(name).split()).upper() != "TAN":
+    if spelled(line.text, name) != "TAN":
         return
     angle = constant(line.text, argument, line.settings)
     if isinstance(angle, float) and abs(math.fmod(abs(angle), 180.0) - 90.0) < _NEAR:
