@@ -1,20 +1,19 @@
-"""A dialect's Lark grammar at work: one line in, a tree or a fault out. Never looks at more than one line.
+"""A dialect's grammar: one line in, a tree or a fault out. Never looks at more than one line.
 
-The tables that Lark builds from `line.lark` ship beside it as `line.tables`
-(`python -m deburr_grammar.tables` writes them, a test proves them fresh), because
-building them costs some thirty times as much as loading them.
+Lark reads `line.lark` and makes its tables, which ship beside it as `line.tables`
+(`python -m deburr_grammar.tables` writes them, a test proves them fresh). `lalr.py` reads lines
+by them: so a check of a small program does not wait for Lark, and large ones wait less for each line.
 """
 
 from __future__ import annotations
 
-import io
-import pickle
+import marshal
 import pkgutil
 import re
-from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from deburr_grammar.lalr import Parser, Stopped, Tables, read_parts
 from deburr_grammar.problem import Part, SyntaxFault
 from deburr_grammar.tree import Node, Token, tokens
 
@@ -24,6 +23,8 @@ if TYPE_CHECKING:
 CORE = "deburr_grammar.core"
 DEEPEST = 256
 """Levels of a tree: no line of 256 characters has more, and whoever walks a tree may do so by recursion."""
+_FORM = 1
+"""Of `line.tables`; another one is another key."""
 _OPTIONS: dict[str, Any] = {
     "parser": "lalr",
     "lexer": "contextual",
@@ -51,29 +52,19 @@ class Grammar:
 
     def parse(self, start: str, text: str) -> Parsed:
         """Read one line (or one shape) under a start rule."""
-        from lark.exceptions import UnexpectedInput
-
-        try:
-            tree = self._lark.parse(text, start)
-        except UnexpectedInput as unexpected:
-            if _too_deep(unexpected.state.value_stack):
-                return _DEEP
-            return _faulty(text, start, unexpected)
-        return _DEEP if _too_deep([tree]) else Parsed(_as_node(tree, start), None)
+        found = self._parser.parse(start, text)
+        if isinstance(found, Stopped):
+            return _DEEP if _too_deep(text, found.values) else self._faulty(text, start, found)
+        if _too_deep(text, [found]):
+            return _DEEP
+        return Parsed(found if isinstance(found, Node) else Node(start, found.start, found.end, (found,)), None)
 
     def following(self, start: str, text: str) -> frozenset[str]:
         """The terminals that could follow the start of a line; none if that itself cannot be read."""
-        from lark.exceptions import UnexpectedInput
-
-        parser = self._lark.parse_interactive(text, start)
-        try:
-            parser.exhaust_lexer()
-        except UnexpectedInput:
-            return frozenset()
-        return _accepted(parser.parser_state)
+        return self._parser.following(start, text)
 
     def build(self) -> Lark:
-        """The parser, made from the grammar text."""
+        """Lark's own parser, made from the grammar text."""
         from lark import Lark
 
         source = (_data(self._package, "line.lark") or b"").decode("utf-8")
@@ -81,10 +72,7 @@ class Grammar:
 
     def tables(self) -> bytes:
         """The content of `line.tables`."""
-        buffer = io.BytesIO(self._key)
-        buffer.seek(0, io.SEEK_END)
-        self.build().save(buffer)
-        return buffer.getvalue()
+        return self._key + marshal.dumps(tuple(_tables_of(self.build())), 2)
 
     @property
     def fresh(self) -> bool:
@@ -92,36 +80,85 @@ class Grammar:
         return (_data(self._package, "line.tables") or b"").startswith(self._key)
 
     @cached_property
-    def _lark(self) -> Lark:
-        from lark import Lark
-
-        tables = _data(self._package, "line.tables")
-        key = self._key
-        if tables is None or not tables.startswith(key):
-            # Tables of another grammar or of another Lark: slower, never wrong.
-            return self.build()
-        try:
-            return Lark.load(io.BytesIO(tables[len(key) :]))
-        except (
-            pickle.UnpicklingError,
-            AttributeError,
-            EOFError,
-            ImportError,
-            IndexError,
-            KeyError,
-            TypeError,
-            ValueError,
-        ):
-            return self.build()
+    def _parser(self) -> Parser:
+        tables, key = _data(self._package, "line.tables"), self._key
+        if tables is not None and tables.startswith(key):
+            try:
+                return Parser(Tables(*marshal.loads(tables[len(key) :])))
+            except (EOFError, ValueError, TypeError):
+                pass
+        # Tables of another grammar, or damaged ones: slower, never wrong.
+        return Parser(_tables_of(self.build()))
 
     @property
     def _key(self) -> bytes:
         """All that the tables are made from. It stands before them, so they say for themselves whether they are fresh."""
-        from lark import __version__
-
         source = _data(self._package, "line.lark") or b""
         imported = [_data(CORE, f"{name.decode()}.lark") for name in re.findall(rb"(?m)^%import core\.(\w+)", source)]
-        return repr((__version__, sorted(_OPTIONS.items()), self._starts, source, imported)).encode()
+        return repr((_FORM, sorted(_OPTIONS.items()), self._starts, source, imported)).encode()
+
+    def _faulty(self, text: str, start: str, stopped: Stopped) -> Parsed:
+        parts = tuple(read_parts(stopped.values))
+        stack = tuple(Part(part.kind, part.start, part.end) for part in parts)
+        tree = Node(start, parts[0].start if parts else 0, parts[-1].end if parts else 0, parts)
+        expected = self._parser.accepted(stopped.states)
+        fault = SyntaxFault(text, stopped.start, stopped.end, stopped.found, expected, stack, _last_tokens(parts))
+        return Parsed(tree, fault)
+
+
+def _tables_of(lark: Lark) -> Tables:
+    """What Lark has made, in plain values."""
+    parser: Any = lark.parser
+    table, lexer = parser.parser._parse_table, parser.lexer
+    rules = sorted(lark.rules, key=str)
+    numbers = {rule: number for number, rule in enumerate(rules)}
+    states = _in_order(table)
+    actions: list[dict[str, int]] = [{} for _ in states]
+    gotos: list[dict[str, int]] = [{} for _ in states]
+    for state, number in states.items():
+        for name, (action, argument) in sorted(table.states[state].items()):
+            if action.name != "Shift":
+                actions[number][name] = ~numbers[argument]
+            elif name.isupper():
+                actions[number][name] = states[argument]
+            else:
+                gotos[number][name] = states[argument]
+    looks = [_pattern(lexer.lexers[state].scanner) for state in states]
+    scanners = list(dict.fromkeys(looks))
+    return Tables(
+        actions,
+        gotos,
+        [_rule(rule) for rule in rules],
+        scanners,
+        [scanners.index(pattern) for pattern in looks],
+        _pattern(lexer.root_lexer.scanner),
+        {name: _pattern(unless.scanner) for name, unless in sorted(lexer.root_lexer.callback.items())},
+        sorted(lark.ignore_tokens),
+        {start: (states[table.start_states[start]], states[table.end_states[start]]) for start in lark.options.start},
+        int(lark.options.g_regex_flags),
+    )
+
+
+def _in_order(table: Any) -> dict[int, int]:
+    """Lark's states with numbers that are the same each time: as they are met from the start rules on."""
+    waiting = [table.start_states[start] for start in sorted(table.start_states)]
+    found: dict[int, int] = {}
+    for state in waiting:
+        if state not in found:
+            found[state] = len(found)
+            waiting += [to for _, (action, to) in sorted(table.states[state].items()) if action.name == "Shift"]
+    return found
+
+
+def _rule(rule: Any) -> tuple[str, str, int, bool, bool]:
+    origin, helper = str(rule.origin.name), rule.origin.name.startswith("_")
+    assert not (helper and (rule.alias or rule.options.expand1)), f"`{rule}` only helps and has no name of its own"
+    return origin, str(rule.alias or origin), len(rule.expansion), bool(rule.options.expand1 and not rule.alias), helper
+
+
+def _pattern(scanner: Any) -> str:
+    """What a scanner looks for: where nothing can stand, nothing."""
+    return "|".join(each.pattern for each in scanner._mres) or "(?!)"
 
 
 def _from_core(_base: str | None, path: str) -> tuple[str, str]:
@@ -144,80 +181,15 @@ def _data(package: str, file: str) -> bytes | None:
 _DEEP = Parsed(Node("", 0, 0, ()), None, True)
 
 
-def _too_deep(parts: list[Any]) -> bool:
+def _too_deep(text: str, values: list[Any]) -> bool:
+    if len(text) < DEEPEST:
+        return False
     for _ in range(DEEPEST):
-        parts = [child for part in parts for child in getattr(part, "children", ())]
-        if not parts:
+        parts = (value if isinstance(value, list) else getattr(value, "children", ()) for value in values)
+        values = [part for each in parts for part in each]
+        if not values:
             return False
     return True
-
-
-def _as_node(tree: Any, start: str) -> Node:
-    node = _convert(tree)
-    return node if isinstance(node, Node) else Node(start, node.start, node.end, (node,))
-
-
-def _convert(tree: Any) -> Node | Token:
-    if not hasattr(tree, "children"):
-        return Token(str(tree.type), tree.start_pos, tree.end_pos)
-    children = tuple(_convert(child) for child in tree.children)
-    if not children:
-        return Node(str(tree.data), 0, 0, ())
-    return Node(str(tree.data), children[0].start, children[-1].end, children)
-
-
-def _faulty(text: str, start: str, unexpected: Any) -> Parsed:
-    from lark.exceptions import UnexpectedCharacters
-
-    token: Any = getattr(unexpected, "token", None)
-    at: int
-    if isinstance(unexpected, UnexpectedCharacters):
-        at, found = int(unexpected.pos_in_stream or 0), ""
-        end = at + 1
-    elif token is not None and token.type != "$END":
-        at, end, found = token.start_pos, token.end_pos, str(token.type)
-    else:
-        at, end, found = len(text), len(text), "$END"
-    parts = tuple(_read_before(unexpected.state.value_stack))
-    stack = tuple(Part(part.kind, part.start, part.end) for part in parts)
-    tree = Node(start, parts[0].start if parts else 0, parts[-1].end if parts else 0, parts)
-    return Parsed(tree, SyntaxFault(text, at, end, found, _accepted(unexpected.state), stack, _last_tokens(parts)))
-
-
-def _accepted(state: Any) -> frozenset[str]:
-    """The terminals that could stand next. The lookahead sets of an LALR state hold too many, so each is tried."""
-    states = state.parse_conf.parse_table.states
-    return frozenset(
-        name
-        for name in states[state.state_stack[-1]]
-        if name.isupper() or name == "$END"
-        if _fits(states, state.state_stack, name)
-    )
-
-
-def _fits(states: Any, stack: list[Any], terminal: str) -> bool:
-    stack = list(stack)
-    while True:
-        found = states[stack[-1]].get(terminal)
-        if found is None:
-            return False
-        action, argument = found
-        if action.name == "Shift":
-            return True
-        # A reduction: the rule's parts leave the stack, the rule itself takes their place.
-        size = len(argument.expansion)
-        del stack[len(stack) - size :]
-        stack.append(states[stack[-1]][argument.origin.name][1])
-
-
-def _read_before(values: list[Any]) -> Iterator[Node | Token]:
-    from lark import Tree
-
-    for value in values:
-        # A helper rule of a repetition (`__block_star_0`) is no part of the tree: only what it holds is.
-        helper = isinstance(value, Tree) and value.data.startswith("_")
-        for part in value.children if helper else [value]:
-            yield _convert(part)
 
 
 def _last_tokens(parts: tuple[Node | Token, ...]) -> tuple[Part, ...]:

@@ -18,7 +18,7 @@ FAULTY = "G21 G90 G17\nG0 X[1/0]\nF100\nM2\n"
 NEVER = {
     "rich", "click", "attr", "attrs", "cattrs", "pygls", "lsprotocol", "asyncio", "multiprocessing", "concurrent.futures",
     "difflib", "json", "pathspec", "tomllib", "unittest", "importlib.metadata", "importlib.resources", "email", "http",
-    "socket", "subprocess", "xml", "sqlite3", "lark.tools", "deburr.cli.rule", "deburr.cli.reporters.json", "deburr.dev",
+    "socket", "subprocess", "xml", "sqlite3", "lark", "deburr.cli.rule", "deburr.cli.reporters.json", "deburr.dev",
 }  # fmt: skip
 
 
@@ -123,7 +123,7 @@ def test_what_check_does_not_load(shell):
     shell.write("a.ngc", FAULTY)
     code = "import sys; from deburr.cli.main import main; main(['check', 'a.ngc']); print(*sorted(sys.modules), file=sys.stderr)"
     loaded = set(python("-c", code, folder=shell.folder).stderr.split())
-    assert "lark" in loaded and "deburr.rules.rs274.divide_by_zero" in loaded
+    assert "deburr.rules.rs274.divide_by_zero" in loaded
     assert not loaded & NEVER
     assert not {
         name for name in loaded if name.startswith(("deburr.rules.z32", "deburr.rules.cgt", "deburr.rules.metagcode"))
