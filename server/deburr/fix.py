@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
-from deburr_grammar.text import Edit, Pos, Span
+from deburr_grammar.text import Edit, Pos, Span, with_newlines
 
 if TYPE_CHECKING:
     from deburr.finding import Finding
@@ -136,7 +136,14 @@ def with_fixes(analysis: Analysis, findings: Iterable[Finding]) -> Iterator[Find
 
 def applied(document: Document, edits: Iterable[Edit]) -> Document:
     """The program behind edits of which none touches another."""
-    return document.edit(*sorted(edits, reverse=True))
+    return document.edit(*sorted(in_endings(document, edits), reverse=True))
+
+
+def in_endings(document: Document, edits: Iterable[Edit]) -> tuple[Edit, ...]:
+    """The edits with the line ending of the program where they start a line."""
+    if document.piece(0).chunk.ending(0) != "\r\n":
+        return tuple(edits)
+    return tuple(edit._replace(text=with_newlines(edit.text).replace("\n", "\r\n")) for edit in edits)
 
 
 def cures(analysis: Analysis, finding: Finding, edits: Iterable[Edit]) -> bool:

@@ -155,7 +155,7 @@ def test_padding_moves_a_fix_as_it_moves_its_finding(shell):
 def test_people_are_told_of_fixes(shell):
     shell.write("a.z32", "(P)\ng0 X1\nG0 X1 (oops\nM30\n")
     full, concise = shell.run("check").out, shell.run("check", "--output-format", "concise").out
-    assert "  = fix: Change to `G` (safe)\n" in full
+    assert "  = fix: Write the line in upper case (safe)\n" in full
     assert "  = fix: Insert `)` (not sure to be what is meant)\n" in full
     assert [line.split()[2:4] for line in concise.splitlines()[:2]] == [
         ["z32.lower-case", "[*]"],

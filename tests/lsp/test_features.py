@@ -73,7 +73,7 @@ def test_what_is_offered_is_there_and_the_other_way_round() -> None:
         "workspaceSymbolProvider": {types.WORKSPACE_SYMBOL},
         "foldingRangeProvider": {types.TEXT_DOCUMENT_FOLDING_RANGE},
         "selectionRangeProvider": {types.TEXT_DOCUMENT_SELECTION_RANGE},
-        "codeActionProvider": {types.TEXT_DOCUMENT_CODE_ACTION},
+        "codeActionProvider": {types.TEXT_DOCUMENT_CODE_ACTION, types.CODE_ACTION_RESOLVE},
         "semanticTokensProvider": {
             types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE,
             types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL,

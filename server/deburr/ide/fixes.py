@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
-from deburr.fix import cures, fixes_of
+from deburr.fix import cures, fixes_of, in_endings
+from deburr.mend import mended
 from deburr.suppress import is_allowed
 from deburr_grammar.text import Edit, Pos
 
@@ -80,3 +81,27 @@ def _same_line(before: Document, after: Document, was: int, now: int) -> bool:
     old, new = before.node(was), after.node(now)
     kinds = [frozenset(kind for kind in node.kinds if "comment" not in kind.lower()) for node in (old, new)]
     return kinds[0] == kinds[1] and [p.kind for p in old.problems] == [p.kind for p in new.problems]
+
+
+def fix_all(view: View) -> tuple[Edit, ...]:
+    """The edits that make all safe fixes, until there are none."""
+    after = mended(view.document, lambda document: Analysis(document, view.ruleset, view.file, view.host)).document
+    return tuple(_difference(view.document, after))
+
+
+def _difference(before: Document, after: Document) -> Iterator[Edit]:
+    """The lines in which two texts differ, as edits of the first."""
+    if before is after:
+        return
+    old, new = ([each.line(at) for at in range(each.line_count)] for each in (before, after))
+    head = next((at for at, (one, two) in enumerate(zip(old, new)) if one != two), min(len(old), len(new)))
+    rest = min(len(old), len(new)) - head
+    tail = next((at for at in range(rest) if old[-1 - at] != new[-1 - at]), rest)
+    if len(old) == len(new):
+        lines = (at for at in range(head, len(old) - tail) if old[at] != new[at])
+        yield from (Edit(Pos(at, 0), Pos(at, len(old[at])), new[at]) for at in lines)
+        return
+    # Lines have come or gone: what stands between the first and the last difference is put anew.
+    start, end = Pos(head, 0), Pos(len(old) - tail, 0)
+    text = "".join(f"{line}\n" for line in new[head : len(new) - tail])
+    yield from in_endings(before, [Edit(start, end, text if tail else text[:-1])])

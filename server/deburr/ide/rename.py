@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from deburr.ide.refactor import Cannot
 from deburr.ide.related import uses, where
 from deburr.symbols import Language, Mention, Sort, Symbol, entry_of, language_of
 from deburr.symbols.index import Placed, all_symbols, at, mentions_of
@@ -14,11 +15,8 @@ if TYPE_CHECKING:
     from deburr.ide.view import View
     from deburr_grammar.document import Document
 
+__all__ = ["Cannot", "Change", "prepared", "renamed"]
 _NAMED = (Sort.VARIABLE, Sort.SUB, Sort.LABEL, Sort.SECTION)
-
-
-class Cannot(Exception):
-    """Why a thing cannot be given another name."""
 
 
 class Change(NamedTuple):

@@ -40,7 +40,16 @@ _PROVIDERS: dict[str, Any] = {
     "workspaceSymbolProvider": True,
     "foldingRangeProvider": True,
     "selectionRangeProvider": True,
-    "codeActionProvider": {"codeActionKinds": ["quickfix"]},
+    "codeActionProvider": {
+        "codeActionKinds": [
+            "quickfix",
+            "refactor.extract",
+            "refactor.inline",
+            "refactor.rewrite",
+            "source.fixAll.deburr",
+        ],
+        "resolveProvider": True,
+    },
     "semanticTokensProvider": {
         "legend": {"tokenTypes": list(TOKEN_TYPES), "tokenModifiers": list(TOKEN_MODIFIERS)},
         "range": True,

@@ -32,6 +32,10 @@ class Client(NamedTuple):
     markdown: bool = True
     changes_versioned: bool = False
     """Whether edits of several documents may name versions."""
+    creates: bool = False
+    """Whether edits may make files."""
+    resolves_actions: bool = False
+    """Whether it asks for the edit of an action when it is chosen."""
     content: bool = False
     """Whether it asks for the text of virtual documents."""
     progress: bool = False
@@ -61,6 +65,9 @@ def client_of(params: Any) -> Client:
         hierarchy=said.flag(*text, "documentSymbol", "hierarchicalDocumentSymbolSupport"),
         markdown=_markdown(said.get(*text, "hover", "contentFormat")),
         changes_versioned=said.flag(*space, "workspaceEdit", "documentChanges"),
+        creates=said.flag(*space, "workspaceEdit", "documentChanges")
+        and said.lists(*space, "workspaceEdit", "resourceOperations", item="create"),
+        resolves_actions=said.lists(*text, "codeAction", "resolveSupport", "properties", item="edit"),
         content=isinstance(said.get(*space, "textDocumentContent"), Mapping),
         progress=said.flag("capabilities", "window", "workDoneProgress"),
         refreshes_lenses=said.flag(*space, "codeLens", "refreshSupport"),
@@ -86,6 +93,11 @@ class _Said:
     def flag(self, *path: str) -> bool:
         """Whether a path says yes."""
         return self.get(*path) is True
+
+    def lists(self, *path: str, item: str) -> bool:
+        """Whether a list under a path holds an item."""
+        found = self.get(*path)
+        return isinstance(found, list) and item in found
 
 
 def _encoding(offered: Any) -> str:

@@ -19,8 +19,10 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import corrected, safe
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Text, rule
+from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
 from deburr_grammar.tree import tokens
 
@@ -30,11 +32,20 @@ _FREE = ("COMMENT", "TAIL", "REST", "PATH", "STRING", "CONFIG_NAME", "LANGLE", "
 @rule(Severity.INFO, Text("[a-z]"))
 def check(line: Line) -> Iterator[Report]:
     """Report the first word of a line that holds one."""
-    for token in tokens(line.node.tree):
-        said = line.said(token)
+    for span in _lower(line.node):
+        said = line.text[span.start : span.end]
+        yield Report(span, f"`{said}` is read as `{said.upper()}`; a control may refuse it")
+        return
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write all words of the line in upper case."""
+    edits = [broken.edit(start, end, broken.text[start:end].upper()) for start, end in _lower(broken.node)]
+    yield Fix("Write the line in upper case", tuple(edits), safe=True)
+
+
+def _lower(node: LineNode) -> Iterator[Span]:
+    for token in tokens(node.tree):
+        said = node.text[token.start : token.end]
         if token.kind not in _FREE and said != said.upper():
-            yield Report(Span(token.start, token.end), f"`{said}` is read as `{said.upper()}`; a control may refuse it")
-            return
-
-
-fix = safe(corrected)
+            yield Span(token.start, token.end)
