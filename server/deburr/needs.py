@@ -30,6 +30,11 @@ class Needs:
         self.folders[folder] = tuple(names)
         return names
 
+    def stale(self) -> bool:
+        """Whether anything that was asked for is another now."""
+        paths = [*self.texts, *(f"{folder.rstrip('/')}/" for folder in self.folders)]
+        return any(self.concerned(path, self.host) for path in paths)
+
     def concerned(self, path: str, host: Host) -> bool:
         """Whether a file that was written, made or taken away can make any difference."""
         if path in self.texts:

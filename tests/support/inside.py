@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+from collections.abc import Callable
 from time import monotonic
 from typing import Any
 
@@ -42,7 +43,8 @@ class Inside:
         """What the server says."""
         for body in self._frames.feed(data):
             message = json.loads(body)
-            assert message.get("method") != "window/logMessage", message["params"]["message"]
+            if message.get("method") == "window/logMessage":
+                assert message["params"]["type"] != 1, message["params"]["message"]
             self.said.append(message)
 
     def close(self) -> None:
@@ -54,16 +56,32 @@ class Inside:
 
     def request(self, method: str, params: Any) -> Any:
         """A request and its result, or the error that it was refused with."""
-        self._number += 1
-        self._send({"id": self._number, "method": method, "params": params})
+        number = self.begin(method, params)
         until = monotonic() + PATIENCE
         while monotonic() < until:
             for message in self.said:
-                if message.get("id") == self._number and "method" not in message:
+                if message.get("id") == number and "method" not in message:
                     self.said.remove(message)
                     return message["result"] if "result" in message else message["error"]
-            self.settle()
+            self.loop.run_until_complete(self._turn())
         raise AssertionError(f"no answer to {method}")
+
+    def begin(self, method: str, params: Any) -> int:
+        """A request that is not waited for; its number."""
+        self._number += 1
+        self._send({"id": self._number, "method": method, "params": params})
+        return self._number
+
+    def wait(self, wanted: Callable[[Json], bool]) -> Json:
+        """The first message of the server that is wanted; it is taken away."""
+        until = monotonic() + PATIENCE
+        while monotonic() < until:
+            for message in self.said:
+                if wanted(message):
+                    self.said.remove(message)
+                    return message
+            self.loop.run_until_complete(asyncio.sleep(0.005))
+        raise AssertionError(f"nothing of that sort was said; the last was {self.said[-1:]}")
 
     def open(self, uri: str, text: str, language: str) -> None:
         """Open a document."""
@@ -90,6 +108,12 @@ class Inside:
     def _send(self, message: Json) -> None:
         body = json.dumps({"jsonrpc": "2.0", **message}).encode()
         self.loop.run_until_complete(self._receive(body))
+
+    async def _turn(self) -> None:
+        """Let it do something, without waiting for what it does after a pause."""
+        for _ in range(20):
+            await asyncio.sleep(0)
+        await asyncio.sleep(0.001)
 
     async def _receive(self, body: bytes) -> None:
         self.server.receive(body)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable
+from collections.abc import Generator, Iterable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
@@ -31,23 +31,30 @@ class Expanded(NamedTuple):
 
 
 def expanding(
-    view: View, inputs: Inputs | None = None, budget: Budget | None = None
-) -> Generator[None, None, Expanded]:
-    """Check a program, and run it if it has no errors."""
-    inputs = inputs or Inputs()
-    found = yield from Analysis(view.document, view.ruleset, view.file, view.host, inputs=inputs).gathering()
+    view: View, inputs: Inputs | None = None, budget: Budget | None = None, more: Sequence[View] = ()
+) -> Generator[int, None, Expanded]:
+    """Check a program, and those that are joined to it, and run them if they have no errors; yields how many lines were executed."""
+    inputs, views = inputs or Inputs(), (view, *more)
+    found: list[Finding] = []
+    for each in views:
+        gathering = Analysis(each.document, each.ruleset, each.file, each.host, inputs=inputs).gathering()
+        found += yield from _counting(gathering)
     lines, source_map = _Lines(), SourceMap()
     module = interpreter(view.dialect.name)
-    found = before_a_run(found, view.dialect)
+    found = before_a_run(found, view.dialect, len(views))
     if module is None or _wrong(found):
         return Expanded("", source_map, tuple(found), False)
-    programs = (Program(view.file, view.document),)
+    programs = [Program(each.file, each.document) for each in views]
     job = Job(programs, view.ruleset, view.host, lines, inputs, budget or Budget(), source_map, PACE)
-    yield from drive(job)
-    met = [_finding(fault, view, job) for fault in job.faults]
+    for _ in drive(job):
+        yield job.steps
+    met = [_finding(fault, views, job) for fault in job.faults]
     whole = job.cut or not _wrong(met)
     return Expanded(
-        _joined(lines.lines, view.document.text) if whole else "", source_map, tuple(merged(found, met)), job.cut
+        _joined(lines.lines, view.document.text, views[-1].document.text) if whole else "",
+        source_map,
+        tuple(merged(found, met)),
+        job.cut,
     )
 
 
@@ -55,13 +62,26 @@ def _wrong(findings: Iterable[Finding]) -> bool:
     return any(finding.severity is Severity.ERROR for finding in findings)
 
 
-def _joined(lines: list[str], source: str) -> str:
-    eol = eol_of(source)
-    return eol.join(lines) + (eol if lines and source.endswith(("\n", "\r")) else "")
+def _counting(checking: Generator[None, None, list[Finding]]) -> Generator[int, None, list[Finding]]:
+    """A check, in which nothing is executed."""
+    while True:
+        try:
+            next(checking)
+        except StopIteration as done:
+            found: list[Finding] = done.value
+            return found
+        yield 0
 
 
-def _finding(fault: Fault, view: View, job: Job) -> Finding:
+def _joined(lines: list[str], first: str, last: str) -> str:
+    """The lines with the ends that the first source has, the last one ended as the last source is."""
+    eol = eol_of(first)
+    return eol.join(lines) + (eol if lines and last.endswith(("\n", "\r")) else "")
+
+
+def _finding(fault: Fault, views: Sequence[View], job: Job) -> Finding:
     """A fault as a finding; what ended the run is an error whatever its rule says."""
+    view = next((each for each in views if each.file == fault.file), views[0])
     text = view.document.text if fault.file == view.file else view.host.read(fault.file) or ""
     lines = split_lines(text)
     found = worded(fault, view.ruleset, lines[fault.line] if fault.line < len(lines) else "")

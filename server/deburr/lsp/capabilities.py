@@ -60,7 +60,7 @@ _PROVIDERS: dict[str, Any] = {
     "inlayHintProvider": {"resolveProvider": False},
     "linkedEditingRangeProvider": True,
     "callHierarchyProvider": True,
-    "executeCommandProvider": {"commands": list(COMMANDS)},
+    "executeCommandProvider": {"commands": list(COMMANDS), "workDoneProgress": True},
 }
 
 
@@ -74,7 +74,12 @@ def capabilities(client: Client) -> dict[str, Any]:
     workspace: dict[str, Any] = {"workspaceFolders": {"supported": True, "changeNotifications": True}}
     if client.content:
         workspace["textDocumentContent"] = {"schemes": [EXPANDED, PAGES]}
-    diagnostics = {"identifier": "deburr", "interFileDependencies": True, "workspaceDiagnostics": True}
+    diagnostics = {
+        "identifier": "deburr",
+        "interFileDependencies": True,
+        "workspaceDiagnostics": True,
+        "workDoneProgress": True,
+    }
     return {
         "positionEncoding": client.encoding,
         "textDocumentSync": {"openClose": True, "change": 2, "save": {"includeText": False}},

@@ -58,6 +58,8 @@ class Checks:
         self._pauses: dict[str, asyncio.TimerHandle] = {}
         self.depended: Callable[[], None] = lambda: None
         """Called when programs are checked again because of others."""
+        self.changed: Callable[[set[str]], None] = lambda files: None
+        """Called with files that are not as they were, when the pause behind the last edit has passed."""
 
     def findings(self, file: str) -> tuple[Finding, ...]:
         """What is known of a file: what its own check found there and what those of others did."""
@@ -193,6 +195,7 @@ class Checks:
         """Check what depends on the files that were changed."""
         self._timer = None
         changed, self._changed = self._changed, set()
+        self.changed(changed)
         host = self._session.files
         found = [
             file

@@ -12,6 +12,7 @@ from importlib import import_module
 from inspect import iscoroutinefunction
 from pkgutil import iter_modules
 from threading import Thread
+from time import monotonic
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from lsprotocol import types
@@ -24,6 +25,7 @@ from deburr.lsp import features
 from deburr.lsp.alive import watch
 from deburr.lsp.checks import Checks
 from deburr.lsp.idle import Idle
+from deburr.lsp.previews import Previews
 from deburr.lsp.protocol import Protocol
 from deburr.lsp.publish import Publisher
 from deburr.lsp.session import Open, Session
@@ -44,6 +46,10 @@ if TYPE_CHECKING:
 SWITCH = 0.001
 """Seconds after which the reading thread may break in: a message must not wait for longer than a slice of work."""
 _FEATURE = "deburr_method"
+ERROR, INFO, DEBUG = 1, 3, 4
+"""Levels of the client's log."""
+_LONGEST = 1_000
+"""Characters of parameters in a trace."""
 
 _log = logging.getLogger("deburr")
 
@@ -73,6 +79,9 @@ class Server(LanguageServer):
         self.checks = Checks(self.session, self.idle, self._said, self.failed)
         self.publisher.checks = self.checks
         self.checks.depended = self.publisher.refresh
+        self.previews = Previews(self)
+        self.checks.changed = self.previews.changed
+        self.protocol.trace = trace_of(client.trace)
         self.coloured: dict[str, list[int]] = {}
         """Colours that were sent, by the names that they were sent with."""
         for method, function in found_features():
@@ -147,11 +156,24 @@ class Server(LanguageServer):
         """Tell the user what must be mended outside of programs."""
         self.protocol.send({"method": "window/showMessage", "params": {"type": 1, "message": f"deburr: {message}"}})
 
+    def log(self, message: str, level: int = INFO) -> None:
+        """Say something in the client's log."""
+        self.protocol.send({"method": "window/logMessage", "params": {"type": level, "message": message}})
+
+    def traced(self, method: str, seconds: float, params: Any) -> None:
+        """Say what was done, to clients that want to know."""
+        if self.protocol.trace is types.TraceValue.Off:
+            return
+        said: dict[str, Any] = {"message": f"{method} took {seconds * 1000:.1f} ms"}
+        if self.protocol.trace is types.TraceValue.Verbose:
+            said["verbose"] = str(params)[:_LONGEST]
+        self.protocol.send({"method": types.LOG_TRACE, "params": said})
+
     def failed(self, error: Exception) -> None:
         """Something is wrong with deburr itself: say so in the log and go on."""
         said = "".join(traceback.format_exception(error))
         _log.error("%s", said)
-        self.protocol.send({"method": "window/logMessage", "params": {"type": 1, "message": said}})
+        self.log(said, ERROR)
 
     def report_server_error(self, error: Exception, source: Any) -> None:
         """What pygls could not do is logged."""
@@ -170,6 +192,11 @@ def feature(method: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
         return function
 
     return made
+
+
+def trace_of(said: str) -> types.TraceValue:
+    """How much a client wants to be told of what is done; what is none of the levels counts as not said."""
+    return next((each for each in types.TraceValue if each.value == said), types.TraceValue.Off)
 
 
 def found_features() -> list[tuple[str, Callable[..., Any]]]:
@@ -206,9 +233,11 @@ def _read(stream: Stream, frames: Frames, server: Server) -> None:
 
 def _safe(server: Server, function: Callable[..., Any]) -> Callable[..., Any]:
     """The handler for pygls: one that goes wrong answers nothing, and the fault is logged."""
+    method = getattr(function, _FEATURE)
     if iscoroutinefunction(function):
 
         async def later(params: Any) -> Any:
+            started = monotonic()
             try:
                 return await function(server, params)
             except (JsonRpcException, asyncio.CancelledError):
@@ -216,10 +245,13 @@ def _safe(server: Server, function: Callable[..., Any]) -> Callable[..., Any]:
             except Exception as error:
                 server.failed(error)
                 return None
+            finally:
+                server.traced(method, monotonic() - started, params)
 
         return later
 
     def now(params: Any) -> Any:
+        started = monotonic()
         try:
             return function(server, params)
         except JsonRpcException:
@@ -227,5 +259,7 @@ def _safe(server: Server, function: Callable[..., Any]) -> Callable[..., Any]:
         except Exception as error:
             server.failed(error)
             return None
+        finally:
+            server.traced(method, monotonic() - started, params)
 
     return now

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from deburr.detect import detect
 from deburr.host import Host, NoFiles
@@ -120,6 +120,14 @@ class Session:
             return self._kept_view(file, like.dialect, text)
         answer = detect(file, text, self.settings.hints(file, None))
         return None if answer.dialect is None else self._kept_view(file, by_name(answer.dialect), text)
+
+    def given(self, view: View, values: Iterable[tuple[str, Any]]) -> View | None:
+        """A program under some settings that are laid over the configuration; None if its language has no such settings."""
+        ruleset = self.settings.given(view.dialect, view.file, dict(values))
+        if ruleset is None:
+            return None
+        document = view.document.under(view.dialect.given(ruleset.settings, view.host.read))
+        return View(view.file, document, ruleset, view.host, self)
 
     def views(self, like: View) -> Iterator[View]:
         """The programs of one's language: itself, those that are open, and those in the folders."""

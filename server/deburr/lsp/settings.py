@@ -6,9 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from deburr import paths
-from deburr.config import Config, ConfigError, RuleSets
+from deburr.config import Config, ConfigError, RuleSets, from_command_line, made
 from deburr.configfile import FILE, PROJECT, Configs, given
 from deburr.detect import Answer, Hints
+from deburr.selection import Selection
 
 if TYPE_CHECKING:
     from deburr.ruleset import RuleSet
@@ -33,6 +34,7 @@ class Settings:
         self.configs = Configs(self._top)
         self._rulesets = RuleSets()
         self._bad: dict[str, Config] = {}
+        self._given: dict[object, RuleSet] = {}
         self._said.clear()
 
     def lay_over(self, said: Any, folders: Sequence[str]) -> None:
@@ -77,6 +79,16 @@ class Settings:
         except ConfigError as error:
             self._once(error)
         return self._rulesets.of(dialect, config, file)
+
+    def given(self, dialect: Dialect, file: str, values: Mapping[str, Any]) -> RuleSet | None:
+        """The rule set for a file with some of the dialect's settings laid over the configuration; None if it has no such settings."""
+        if not values.keys() <= {setting.name for setting in dialect.settings}:
+            return None
+        top = from_command_line({f"{dialect.name}.{name}": value for name, value in values.items()}, Selection())
+        key = (dialect.name, file, tuple(values.items()))
+        if key not in self._given:
+            self._given[key] = made(dialect, top.over(self.of(file)))
+        return self._given[key]
 
     def _once(self, error: ConfigError) -> None:
         for message in error.messages:

@@ -5,6 +5,7 @@ from pygls.exceptions import JsonRpcException
 
 from deburr.lsp.checks import Outdated
 from deburr.lsp.convert import uri_to_file
+from deburr.lsp.progress import Progress
 from deburr.lsp.report import Json, diagnostics, result_id
 from deburr.lsp.server import Server, feature
 
@@ -28,14 +29,24 @@ async def document_diagnostic(server: Server, params: types.DocumentDiagnosticPa
 async def workspace_diagnostic(server: Server, params: types.WorkspaceDiagnosticParams) -> Json:
     """The diagnostics of all programs in the folders, and of those that are open besides."""
     before = {uri_to_file(each.uri): each.value for each in params.previous_result_ids}
-    files = dict.fromkeys([*server.session.open_files, *server.session.programs()])
-    items = []
-    for file in files:
-        program = server.session.open_files.get(file)
-        found = await _report(server, file, before.pop(file, None))
-        items.append({"uri": server.session.uri(file), "version": program.version if program else None, **found})
+    files = list(dict.fromkeys([*server.session.open_files, *server.session.programs()]))
+    items: list[Json] = []
+    with Progress(server.protocol, server.client, "Checking the workspace", params.work_done_token) as progress:
+        for number, file in enumerate(files):
+            progress.say(f"{number + 1:,} of {len(files):,}: {file.rpartition('/')[2]}", 100 * number // len(files))
+            program = server.session.open_files.get(file)
+            found = await _report(server, file, before.pop(file, None))
+            items.append({"uri": server.session.uri(file), "version": program.version if program else None, **found})
+            _handed_over(server, params.partial_result_token, items)
     items += [{"uri": server.session.uri(file), "version": None, **_full([])} for file in before]
     return {"items": items}
+
+
+def _handed_over(server: Server, token: int | str | None, items: list[Json]) -> None:
+    """Send what was found so far to a client that wants it in parts; then it is not part of the answer."""
+    if token is not None:
+        server.protocol.send({"method": types.PROGRESS, "params": {"token": token, "value": {"items": list(items)}}})
+        items.clear()
 
 
 async def _report(server: Server, file: str, known: str | None) -> Json:

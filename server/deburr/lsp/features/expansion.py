@@ -1,23 +1,27 @@
-"""Flat programs: by command, and as the text of virtual documents."""
+"""Flat programs: by command, as the text of virtual documents, and the way between them and their sources."""
 
 from __future__ import annotations
 
-import asyncio
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from urllib.parse import unquote, urlsplit
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
 
-from deburr.expand import Budget, Inputs
-from deburr.ide.expansion import Expanded, expanding
+from deburr.detect import detect
 from deburr.lsp.capabilities import COMMANDS, EXPANDED, PAGES
 from deburr.lsp.convert import uri_to_file
+from deburr.lsp.previews import Wanted, expanded_uri, wanted_by, wanted_of
 from deburr.lsp.report import Json, diagnostics
 from deburr.lsp.server import Server, feature
+from deburr.lsp.settings import paths_to
 from deburr.page import markdown
 from deburr.rule import rules_of
 from deburr_grammar.dialects import NAMES, by_name
+from deburr_grammar.text import split_lines
+
+if TYPE_CHECKING:
+    from deburr.ide.expansion import Expanded
 
 
 @feature(types.WORKSPACE_EXECUTE_COMMAND)
@@ -30,7 +34,7 @@ async def on_command(server: Server, params: types.ExecuteCommandParams) -> Any:
         return _explained(server, said["uri"])
     if params.command == "deburr.sourceMap":
         return await _looked_up(server, said)
-    return await _expanded(server, said)
+    return await _expanded(server, said, params.work_done_token)
 
 
 @feature(types.WORKSPACE_TEXT_DOCUMENT_CONTENT)
@@ -39,34 +43,11 @@ async def on_content(server: Server, params: types.TextDocumentContentParams) ->
     parts = urlsplit(params.uri)
     if parts.scheme == PAGES:
         return types.TextDocumentContentResult(_page(unquote(parts.path).strip("/").removesuffix(".md")))
-    found = await run(server, source_of(params.uri), Inputs(), Budget())
-    return types.TextDocumentContentResult(found.text if found is not None else "")
+    return types.TextDocumentContentResult(await server.previews.content(params.uri))
 
 
-def source_of(uri: str) -> str:
-    """The URI of the program whose flat form a URI means: `deburr-expanded:` before it, its own colon left out for files."""
-    rest = uri.removeprefix(f"{EXPANDED}:")
-    return f"file://{rest}" if rest.startswith("/") else rest
-
-
-async def run(server: Server, uri: str, inputs: Inputs, budget: Budget) -> Expanded | None:
-    """Expand a program between messages. An edit makes it start again with what is there then."""
-    while (view := server.view(uri)) is not None:
-        work = expanding(view, inputs, budget)
-        while server.view(uri) is view:
-            try:
-                next(work)
-            except StopIteration as done:
-                found: Expanded = done.value
-                return found
-            await asyncio.sleep(0)
-    return None
-
-
-async def _expanded(server: Server, said: Json) -> Json | None:
-    most = said.get("maxBlocks")
-    budget = Budget(blocks=most) if isinstance(most, int) and most >= 0 else Budget()
-    found = await run(server, said["uri"], _inputs(said), budget)
+async def _expanded(server: Server, said: Json, token: int | str | None) -> Json | None:
+    found = await server.previews.expanded(wanted_by(said), token)
     if found is None:
         return None
     return {
@@ -78,50 +59,82 @@ async def _expanded(server: Server, said: Json) -> Json | None:
     }
 
 
-def _inputs(said: Json) -> Inputs:
-    """The values that a command is given."""
-    define = said.get("define")
-    if not isinstance(define, dict):
-        return Inputs()
-    return Inputs(define={str(name).strip(): str(value).strip() for name, value in define.items()})
-
-
 async def _looked_up(server: Server, said: Json) -> Json:
-    """From a line of a source to its flat lines, or from a flat line to its origin with the calls and passes above it."""
+    """From a line of a source to its flat lines, or from a flat line to its origin; each with the calls and passes above it.
+
+    A source that is no program by itself, such as a snippet, is looked for in `program`, or in what was expanded last.
+    """
     try:
         line = int(said["position"]["line"])
     except (KeyError, TypeError, ValueError):
         raise JsonRpcInvalidParams("`deburr.sourceMap` needs a `position`") from None
-    flat = said["uri"].startswith(f"{EXPANDED}:")
-    found = await run(server, source_of(said["uri"]) if flat else said["uri"], _inputs(said), Budget())
-    if found is None:
-        return {"uri": said["uri"], "ranges": []}
-    if not flat:
-        rows = found.source_map.lines_of(uri_to_file(said["uri"]), line)
-        return {"uri": expanded_uri(said["uri"]), "ranges": [_row(row, []) for row in rows]}
+    uri: str = said["uri"]
+    if uri.startswith(f"{EXPANDED}:"):
+        given = wanted_of(uri)
+        wanted = wanted_by({**said, "uri": given.uris[0]}) if said.get("define") else given
+        found = await server.previews.expanded(wanted)
+        return {"uri": wanted.uris[0], "ranges": []} if found is None else _origin(server, wanted.uris[0], found, line)
+    wanted = _program_with(server, said)
+    found = await server.previews.expanded(wanted)
+    if found is None or not found.text:
+        return {"uri": expanded_uri(wanted.uris[0]), "ranges": []}
+    rows = found.source_map.lines_of(uri_to_file(uri), line)
+    texts = split_lines(found.text) if rows else []
+    ranges = [_ranged(server, row, texts[row], _frames(server, found, row)) for row in rows]
+    return {"uri": expanded_uri(wanted.uris[0]), "ranges": ranges}
+
+
+def _program_with(server: Server, said: Json) -> Wanted:
+    """The program in which the lines of a source are looked for."""
+    program = said.get("program")
+    if program is not None:
+        if not isinstance(program, str):
+            raise JsonRpcInvalidParams("`program` is the URI of a program")
+        return wanted_by({**said, "uri": program})
+    own = wanted_by(said)
+    return own if own.define else server.previews.with_file(uri_to_file(said["uri"])) or own
+
+
+def _origin(server: Server, uri: str, found: Expanded, line: int) -> Json:
+    """Where a flat line comes from."""
     if not 0 <= line < len(found.source_map):
-        return {"uri": source_of(said["uri"]), "ranges": []}
+        return {"uri": uri, "ranges": []}
     origin = found.source_map.origin(line)
-    frames = [{"uri": server.session.uri(each.file), **each._asdict()} for each in found.source_map.stack(line)]
-    return {"uri": server.session.uri(origin.file), "ranges": [_row(origin.row, frames)]}
+    text = server.session.lines(origin.file)(origin.row)
+    ranged = _ranged(server, origin.row, text, _frames(server, found, line))
+    return {"uri": server.session.uri(origin.file), "ranges": [ranged]}
 
 
-def _row(row: int, frames: list[Json]) -> Json:
-    start = {"line": row, "character": 0}
-    return {"range": {"start": start, "end": start}, "frames": frames}
+def _frames(server: Server, found: Expanded, line: int) -> list[Json]:
+    """The calls and passes above a flat line, innermost first."""
+    frames = []
+    for each in found.source_map.stack(line):
+        text = server.session.lines(each.file)(each.row)
+        frames.append({"uri": server.session.uri(each.file), **each._asdict(), "range": _line(server, each.row, text)})
+    return frames
 
 
-def expanded_uri(uri: str) -> str:
-    """The URI of a program's flat form."""
-    return f"{EXPANDED}:{uri.removeprefix('file://')}"
+def _ranged(server: Server, row: int, text: str, frames: list[Json]) -> Json:
+    return {"range": _line(server, row, text), "frames": frames}
+
+
+def _line(server: Server, row: int, text: str) -> Json:
+    """All of a line."""
+    end = server.units.col_to_units(text, len(text))
+    return {"start": {"line": row, "character": 0}, "end": {"line": row, "character": end}}
 
 
 def _explained(server: Server, uri: str) -> Json:
-    """Which language a text is taken for, and why."""
-    program = server.program(uri)
-    view = server.view(uri)
-    reason = program.reason if program is not None else ""
-    return {"uri": uri, "dialect": view.dialect.name if view else None, "reason": reason, "file": uri_to_file(uri)}
+    """Which language a text is taken for, and why; of a file that is not open as it is on disk."""
+    program, file = server.program(uri), uri_to_file(uri)
+    if program is not None:
+        dialect, reason = program.view.dialect.name if program.view is not None else None, program.reason
+    else:
+        text = server.session.files.read(file) if paths_to(file) else None
+        if text is None:
+            return {"uri": uri, "dialect": None, "reason": "there is no such file", "file": file}
+        dialect, reason = detect(file, text, server.session.settings.hints(file, None))
+    return {"uri": uri, "dialect": dialect, "reason": reason, "file": file}
 
 
 def _page(name: str) -> str:

@@ -5,6 +5,7 @@ from typing import Any
 
 from lsprotocol import types
 
+from deburr import __version__
 from deburr.lsp.convert import uri_to_file
 from deburr.lsp.server import Server, feature
 from deburr.lsp.settings import is_configuration
@@ -15,6 +16,8 @@ _WATCHED = "**/*"
 @feature(types.INITIALIZED)
 async def initialized(server: Server, params: types.InitializedParams) -> None:
     """The client is ready: ask for what is watched and what is set."""
+    folders = ", ".join(server.session.folders) or "no folder"
+    server.log(f"deburr {__version__}: columns in {server.client.encoding}, {folders}")
     if wishes := list(_wishes(server)):
         wanted = {"registrations": wishes}
         server.protocol.send({"id": "deburr-register", "method": types.CLIENT_REGISTER_CAPABILITY, "params": wanted})
@@ -78,4 +81,5 @@ async def _configure(server: Server, pushed: Any) -> None:
 def _settle_all(server: Server) -> None:
     for program in list(server.session.open.values()):
         server.session.settle(program)
+    server.previews.forget()
     server.checks.everything()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Iterator
 
 from lsprotocol import types
@@ -37,10 +38,12 @@ def on_document_symbols(
 
 
 @feature(types.WORKSPACE_SYMBOL)
-def on_workspace_symbols(server: Server, params: types.WorkspaceSymbolParams) -> list[types.SymbolInformation]:
+async def on_workspace_symbols(server: Server, params: types.WorkspaceSymbolParams) -> list[types.SymbolInformation]:
     """The parts of all programs whose names hold what is asked for."""
     wanted, found = params.query.lower(), list[types.SymbolInformation]()
     for file in dict.fromkeys([*server.session.open_files, *server.session.programs()]):
+        # A keystroke does not wait for the symbols of hundreds of files.
+        await asyncio.sleep(0)
         view = server.session.view(file)
         for part in _flat(outline(view)) if view is not None else ():
             if wanted in part.name.lower() and view is not None:

@@ -2,7 +2,7 @@
 
 from lsprotocol import types
 
-from deburr.lsp.server import Server, feature
+from deburr.lsp.server import DEBUG, Server, feature
 from deburr_grammar.document import Document
 from deburr_grammar.text import Edit, Pos
 
@@ -11,7 +11,10 @@ from deburr_grammar.text import Edit, Pos
 def did_open(server: Server, params: types.DidOpenTextDocumentParams) -> None:
     """A document is the client's from now on."""
     said = params.text_document
-    server.checks.opened(server.session.opened(said.uri, said.language_id, said.version, said.text))
+    program = server.session.opened(said.uri, said.language_id, said.version, said.text)
+    if program.view is None:
+        server.log(f"{program.file}: {program.reason}", DEBUG)
+    server.checks.opened(program)
 
 
 @feature(types.TEXT_DOCUMENT_DID_CHANGE)
