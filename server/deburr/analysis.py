@@ -32,6 +32,7 @@ class Analysis:
         notices: Sequence[Notice] = (),
         run: Callable[[Analysis], Iterable[Finding | None]] | None = None,
         inputs: Inputs | None = None,
+        prove: Callable[[Analysis], Iterable[Finding | None]] | None = None,
     ) -> None:
         self.document = document
         self.ruleset = ruleset
@@ -44,6 +45,7 @@ class Analysis:
         self.inputs = inputs or Inputs()
         """What the operator and the machine would give, as far as it is known."""
         self._run = run
+        self._prove = prove
 
     @property
     def dialect(self) -> Dialect:
@@ -84,15 +86,22 @@ class Analysis:
             yield
             found += [self._finding(report.line, Said(0, rule, report)) for report in rule.check(self)]
         found += self._noticed(self.notices)
+        if self._prove is not None:
+            yield from self._more(found, self._prove)
         if self._run is not None and all(finding.severity < Severity.ERROR for finding in found):
             # A program that is wrong as it stands is not run: what it would meet would be guesses.
-            said = {(finding.rule, finding.place) for finding in found}
-            for met in self._run(self):
-                if met is None:
-                    yield
-                elif (met.rule, met.place) not in said:
-                    found.append(met)
+            yield from self._more(found, self._run)
         return self._kept(found)
+
+    def _more(self, found: list[Finding], ask: Callable[[Analysis], Iterable[Finding | None]]) -> Iterator[None]:
+        """Add what else is found; nothing is said twice."""
+        said = {(finding.rule, finding.place) for finding in found}
+        for other in ask(self):
+            if other is None:
+                yield
+            elif (other.rule, other.place) not in said:
+                said.add((other.rule, other.place))
+                found.append(other)
 
     def _kept(self, found: list[Finding]) -> list[Finding]:
         """What no comment allows, in order. A comment speaks for the file that it stands in."""

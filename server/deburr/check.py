@@ -9,6 +9,7 @@ from deburr.host import Host, NoFiles
 from deburr.inputs import Inputs
 from deburr.ruleset import RuleSet
 from deburr.source import Source
+from deburr.values import proving
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.document import Document
 from deburr_grammar.text import Edit, Pos
@@ -27,7 +28,7 @@ def check(
 ) -> list[Finding]:
     """All findings in order; with ``run`` (`deburr.ran`) also those that a run of the program meets, with ``mend`` each with what would mend it."""
     document = opened(source, dialect, ruleset, host)
-    analysis = Analysis(document, ruleset, file, host, tuple(source.notices()), run, inputs)
+    analysis = Analysis(document, ruleset, file, host, tuple(source.notices()), run, inputs, proving)
     findings = analysis.findings()
     return in_file(list(with_fixes(analysis, findings)) if mend and findings else findings, file, source)
 

@@ -125,6 +125,7 @@ def test_what_check_does_not_load(shell):
     loaded = set(python("-c", code, folder=shell.folder).stderr.split())
     assert "deburr.rules.rs274.divide_by_zero" in loaded
     assert not loaded & NEVER
+    assert "deburr.values.graph" not in loaded, "a program without variables has no values to prove"
     assert not {
         name for name in loaded if name.startswith(("deburr.rules.z32", "deburr.rules.cgt", "deburr.rules.metagcode"))
     }

@@ -28,8 +28,8 @@ class Faulty:
     runs: bool = False
 
 
-def faults(dialect: str) -> Iterator[Faulty]:
-    """The faults of a dialect's file.
+def faults(dialect: str, folder: Path = FOLDER) -> Iterator[Faulty]:
+    """The faults of a dialect's file in a folder.
 
     A fault is a line `== what was done`, then `rule:`, `says:` (words with `|` between), `mend:`
     (the line as it should read; it replaces the marked line, an empty one takes it away, `\\n` parts
@@ -38,7 +38,7 @@ def faults(dialect: str) -> Iterator[Faulty]:
     faulty program, and settings (`profile: smithy`), a blank line, and the whole program with carets below what must be marked;
     what cannot be seen is drawn as in rule pages. `-- NAME --` starts another file.
     """
-    parts = _HEAD.split((FOLDER / f"{dialect}.txt").read_text(encoding="utf-8"))[1:]
+    parts = _HEAD.split((folder / f"{dialect}.txt").read_text(encoding="utf-8"))[1:]
     return (_fault(name, body) for name, body in zip(parts[::2], parts[1::2], strict=True))
 
 

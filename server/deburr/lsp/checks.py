@@ -157,7 +157,8 @@ class Checks:
         run = self._run if self._session.settings.of(file).runs else None
         found: list[Finding] = []
         try:
-            found = yield from Analysis(view.document, view.ruleset, file, host, run=run).gathering()
+            analysis = Analysis(view.document, view.ruleset, file, host, run=run, prove=self._prove)
+            found = yield from analysis.gathering()
         except Exception as error:
             self._failed(error)
             found = list(known.findings)
@@ -165,10 +166,19 @@ class Checks:
 
     def _run(self, analysis: Analysis) -> Iterator[Finding | None]:
         """What a bounded run meets. What goes wrong in an interpreter costs no other finding."""
-        try:
-            from deburr.ran import running
+        from deburr.ran import running
 
-            yield from running(analysis)
+        yield from self._guarded(running(analysis))
+
+    def _prove(self, analysis: Analysis) -> Iterator[Finding | None]:
+        """What is proven of its values, under the same guard."""
+        from deburr.values import proving
+
+        yield from self._guarded(proving(analysis))
+
+    def _guarded(self, work: Iterator[Finding | None]) -> Iterator[Finding | None]:
+        try:
+            yield from work
         except Exception as error:
             self._failed(error)
 

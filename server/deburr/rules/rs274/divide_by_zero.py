@@ -1,7 +1,8 @@
 """Division by zero.
 
 The control stops at the line with "Attempt to divide by zero". Reported where the line alone
-decides the divisor.
+decides the divisor, and where it is 0 on every way on which the program comes to the line, whatever
+the inputs are; then the settings, conditions and calls are named that lead to it.
 
 Source: spec/rs274.md §3.2
 
@@ -13,6 +14,15 @@ Bad:
             ^^^^^
     #2=[1/[-0.0]]
           ^^^^^^
+
+Bad:
+
+    #5=12
+    o1 while [#5 GT 0]
+      #5=[#5-4]
+    o1 endwhile
+    G0 X[#5420/#5]
+               ^^
 
 Good:
 

@@ -1,7 +1,8 @@
 """Loop that never ends.
 
-The control runs `o1 while [1]` for ever, quietly or with endless motion. It is reported where a whole
-pass changes nothing at all. A loop that counts in too small steps is only met by `expand`, which
+The control runs `o1 while [1]` for ever, quietly or with endless motion. It is reported where the
+condition is proven to hold in every pass and nothing in the loop leaves it or can stop, and where a whole
+pass of a run changes nothing at all. A loop that counts in too small steps is only met by `expand`, which
 executes 1,000,000 lines unless `--max-steps` sets another number; the message names the loop
 and the values in its condition.
 
@@ -21,6 +22,15 @@ Bad:
     ^^^^^^^^^^^^^^^^^^^^^
       G0 X#<x>
       #<x>=[#<x>+#<step>]
+    o1 endwhile
+
+Bad:
+
+    #<z>=0
+    o1 while [#<z> LT 20]
+    ^^^^^^^^^^^^^^^^^^^^^
+      #<z>=[#<z>-2]
+      G0 Z#<z>
     o1 endwhile
 
 Bad:

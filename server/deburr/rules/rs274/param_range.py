@@ -1,7 +1,8 @@
 """Parameter number out of range.
 
 Parameters run from 1 to 5601 in LinuxCNC and from 1 to 5399 in the SmithyCNC manual. The control
-stops with "Parameter number out of range".
+stops with "Parameter number out of range". Reported where the line alone decides the number, and where it
+is out of range on every way on which the program comes to the line.
 
 Source: spec/rs274.md §4.1
 
@@ -15,6 +16,15 @@ Bad:
     ^^^^^
     G0 X#[3-3]
         ^^^^^^
+
+Bad:
+
+    #31=3
+    o1 while [#31 GT 0]
+      #31=[#31-1]
+    o1 endwhile
+    G0 X#5420 Y##31
+               ^^^^
 
 Bad (profile=smithy):
 

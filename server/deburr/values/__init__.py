@@ -1,0 +1,67 @@
+"""What variables can hold, proven for all inputs: constants and ranges along every way a program can take (design.md §4).
+
+`deburr.values.<id>` gives a language's routines and their flow; it is found by that name and
+optional. A faulty program is no error of ours. Nothing is imported here that a program without variables does not need.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from importlib import import_module
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+    from deburr.analysis import Analysis
+    from deburr.finding import Finding
+    from deburr.values.program import Program
+
+_MEMO = "values"
+
+
+def language(dialect: str) -> ModuleType | Any:
+    """What knows the flow of a dialect's programs; None if nothing does."""
+    name = f"{__name__}.{dialect}"
+    return import_module(name) if find_spec(name) is not None else None
+
+
+def values_of(analysis: Analysis) -> Program | None:
+    """The values of a program; None where nothing is known of its language, or of its flow."""
+    for _ in solving(analysis):
+        pass
+    found: Program | None = analysis.memo[_MEMO]
+    return found
+
+
+def proving(analysis: Analysis) -> Iterator[Finding | None]:
+    """What is certain to go wrong, as findings of the rules that own it; as work that can be left wherever it yields None."""
+    yield from solving(analysis)
+    program = values_of(analysis)
+    if program is not None:
+        from deburr.values.proofs import findings
+
+        yield from findings(program, analysis, language(analysis.dialect.name).written)
+
+
+def solving(analysis: Analysis) -> Iterator[None]:
+    """Find the values of a program, in work that can be left at each step. They are kept with the analysis."""
+    if _MEMO in analysis.memo:
+        return
+    program = _program(analysis)
+    if program is not None:
+        yield from program.solving()
+    analysis.memo[_MEMO] = program
+
+
+def _program(analysis: Analysis) -> Program | None:
+    module = language(analysis.dialect.name)
+    if module is None or not module.worth(analysis.document):
+        return None
+    routines = module.routines(analysis)
+    if routines is None:
+        return None
+    from deburr.values.program import Program
+
+    return Program(routines)

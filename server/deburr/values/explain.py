@@ -1,0 +1,95 @@
+"""Why a value is what it is: the settings, conditions and calls that lead to a place, as related places. Proves nothing itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterator
+from itertools import islice
+from typing import TYPE_CHECKING
+
+from deburr.rule import Note
+from deburr.values.domain import ANY
+from deburr.values.words import said
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from deburr.values.graph import Node
+    from deburr.values.program import Program, Routine
+    from deburr.values.solve import Solution
+    from deburr_grammar.document import Document
+
+_SHOWN = 6
+_STEPS = 2_000
+_DEPTH = 3
+
+
+class Explanation:
+    """The way to places in one program. ``written``: how a variable is spelled."""
+
+    def __init__(self, program: Program, document: Document, written: Callable[[Hashable], str]) -> None:
+        self._program = program
+        self._document = document
+        self._written = written
+
+    def notes(self, routine: Routine, node: int) -> tuple[Note, ...]:
+        """What led to a node with the values that it uses, the nearest first."""
+        solution = self._program.solved[routine.name].solution
+        used = sorted((key for key in routine.graph.nodes[node].used if key is not None), key=str)
+        found: dict[tuple[int, str], Note] = {}
+        for note in islice(self._led(routine, solution, node, used, _DEPTH), 4 * _SHOWN):
+            found.setdefault((note.line, note.message), note)
+        return tuple(islice(found.values(), _SHOWN))
+
+    def _led(self, routine: Routine, solution: Solution, node: int, keys: list[Hashable], depth: int) -> Iterator[Note]:
+        behind: list[tuple[int, list[Hashable]]] = []
+        for key in keys:
+            for place, why in self._sources(routine, solution, node, key):
+                yield Note(routine.rows[place.line], self._span(routine, place), why)
+                inner = [each for each in place.used if each is not None and each != key]
+                if key in place.sets and depth and inner:
+                    behind.append((next(n for n, p in routine.graph.nodes.items() if p is place), inner))
+            if depth == _DEPTH and solution.before[node].get(key, ANY) != ANY:
+                yield from self._calls(routine, solution, key)
+        for number, inner in behind:
+            yield from self._led(routine, solution, number, sorted(inner, key=str), depth - 1)
+
+    def _sources(self, routine: Routine, solution: Solution, start: int, key: Hashable) -> Iterator[tuple[Node, str]]:
+        """The nearest settings of a variable, and the conditions on it that are passed on the way."""
+        seen, waiting = {start}, [start]
+        while waiting and len(seen) < _STEPS:
+            node = waiting.pop(0)
+            for source in sorted(solution.sources(node), reverse=True):
+                place = routine.graph.nodes[source]
+                value = solution.before[node].get(key, ANY)
+                if key in place.sets:
+                    yield place, f"`{self._written(key)}` is set here{_holds(said(value))}"
+                    continue
+                old = solution.before[source].get(key, ANY)
+                if place.condition is not None and key in place.used and value != old and source not in seen:
+                    yield place, f"from here on `{self._written(key)}`{_holds(said(value)) or ' is restricted'}"
+                if source not in seen:
+                    seen.add(source)
+                    waiting.append(source)
+
+    def _calls(self, routine: Routine, solution: Solution, key: Hashable) -> Iterator[Note]:
+        """The calls that give a routine its arguments."""
+        entry = self._program.entry(routine.name)
+        if key not in entry or key in routine.graph.locals:
+            return
+        for other, solved in self._program.solved.items():
+            caller = self._program.routines[other]
+            if routine.name not in solved.called:
+                continue
+            for number in sorted(solved.solution.before):
+                place = caller.graph.nodes[number]
+                if place.callee == routine.name:
+                    yield Note(caller.rows[place.line], self._span(caller, place), "called here")
+
+    def _span(self, routine: Routine, place: Node) -> Span:
+        if place.condition is not None:
+            return place.condition
+        text = self._document.line(routine.rows[place.line])
+        return Span(len(text) - len(text.lstrip()), len(text.rstrip()))
+
+
+def _holds(text: str) -> str:
+    return f", it holds {text}" if text else ""

@@ -1,0 +1,143 @@
+"""The flow of one routine as data: nodes that turn the values before them into those behind them. Knows no language."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+from deburr.values.domain import ANY, UNSET, Value, joined, widened
+from deburr_grammar.text import Span
+
+Key = Hashable
+"""A variable as its language tells them apart."""
+Env = dict[Key, Value]
+"""What the variables hold at one point. Of one that is not there nothing is known."""
+RETURN, STOP = -1, -2
+"""Where a routine goes on in its caller, and where the whole program ends."""
+Flows = Sequence[tuple[int, Env]]
+"""The nodes that come next, each with the values that come there."""
+
+
+class Proof(Exception):
+    """What is certain to go wrong at a place: a rule's short name, the columns, and why in the user's words. ``used``: the variables that it hangs on."""
+
+    def __init__(self, kind: str, span: Span, message: str, used: frozenset[Key] = frozenset()) -> None:
+        super().__init__(message)
+        self.kind = kind
+        self.span = span
+        self.message = message
+        self.used = used
+
+
+class Summary(NamedTuple):
+    """What is known of a routine that is called.
+
+    ``env``: what the variables hold that it may set, when it returns; None: it does not return. ``stops``: whether it may end the program.
+    ``touched`` and ``written``: the shared variables that concern it, and those that it may set, by itself and by its own calls; None: all.
+    """
+
+    env: Env | None
+    stops: bool
+    touched: frozenset[Key] | None
+    written: frozenset[Key] | None
+
+
+class Calls(Protocol):
+    """What a node asks of the routines around it."""
+
+    def call(self, label: str, arguments: Env, shared: Env) -> Summary | None:
+        """Call a routine with arguments and with what all share; what is known of it by now. None: nobody can see what is called."""
+
+
+class Node(NamedTuple):
+    """A point of a routine. ``line`` counts its lines; ``used`` and ``sets`` are the variables that it reads and sets.
+
+    ``flow`` gives what comes next, and raises a `Proof` where nothing can. ``condition``: the columns of what decides here.
+    ``doubtful``: whether something in it may fail on some way, after ``flow`` was asked. ``callee``: the routine that it calls, if that is known; ``calls``: whether it calls any.
+    """
+
+    line: int
+    flow: Callable[[Env, Calls], Flows]
+    used: frozenset[Key] = frozenset()
+    sets: frozenset[Key] = frozenset()
+    condition: Span | None = None
+    doubtful: Callable[[], bool] = bool
+    callee: str | None = None
+    calls: bool = False
+
+
+class Head(NamedTuple):
+    """Where a loop comes round: the last node of the loop, and whether a variable may be set in it."""
+
+    last: int
+    sets: Callable[[Key], bool]
+
+
+class Loop(NamedTuple):
+    """A loop: where it comes round, its first and last node, the node that decides, the columns of its command, and the rule of one that never ends."""
+
+    head: int
+    first: int
+    last: int
+    test: int
+    span: Span
+    kind: str
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Graph:
+    """A routine's flow: nodes under their numbers, in the order of lines; where it starts; at which of them it comes round again.
+
+    ``locals``: variables that are its own and not set at first. ``mentions``: all that it reads or sets itself; ``reads`` and ``writes``:
+    what it shares with others and reads or sets itself; None: who knows what.
+    """
+
+    nodes: Mapping[int, Node]
+    heads: Mapping[int, Head]
+    loops: Sequence[Loop]
+    locals: frozenset[Key]
+    mentions: frozenset[Key] | None
+    reads: frozenset[Key] | None
+    writes: frozenset[Key] | None
+    callees: frozenset[str]
+
+
+def join(one: Env, two: Env) -> Env:
+    """What holds on both ways."""
+    if one is two:
+        return one
+    found = {}
+    for key, value in one.items():
+        other = two.get(key)
+        if other is not None:
+            both = value if value is other else joined(value, other)
+            if both != ANY:
+                found[key] = both
+    return found
+
+
+def widen(old: Env, new: Env) -> Env:
+    """What holds on both ways and comes to rest."""
+    found = {}
+    for key, value in old.items():
+        other = new.get(key)
+        if other is not None:
+            both = value if value is other else widened(value, other)
+            if both != ANY:
+                found[key] = both
+    return found
+
+
+def joined_all(envs: Iterable[Env]) -> Env | None:
+    """What holds on all ways; None: there is none."""
+    found: Env | None = None
+    for env in envs:
+        found = env if found is None else join(found, env)
+    return found
+
+
+def unset(keys: Iterable[Key], certain: bool) -> Env:
+    """Variables at the start: certainly without a value, or with any or none."""
+    value = UNSET if certain else ANY._replace(unset=True)
+    return dict.fromkeys(keys, value)

@@ -1,0 +1,208 @@
+"""A program's routines together: what they are called with and what they leave behind, until nothing changes. What was found is kept by content.
+
+Knows no language: a dialect gives the routines, their flow, and what each starts with.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, OrderedDict
+from collections.abc import Generator, Hashable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from deburr.values.graph import Env, Graph, Key, Summary, join, unset, widen
+from deburr.values.solve import Solution
+
+_PATIENCE = 3
+"""So often what a routine is called with, or leaves, may grow as it likes."""
+_DEEPEST = 20
+"""Through so many routines in each other one goes at once."""
+_KEPT = 1_000
+_VERSIONS = 4
+
+
+class Routine(NamedTuple):
+    """A routine: its name, the places of its lines in the program, its flow, of which there is one for all that is made of the same lines.
+
+    ``entry``: what it starts with when something calls it that nobody can see; None: nothing does.
+    """
+
+    name: str
+    rows: Sequence[int]
+    graph: Graph
+    entry: Env | None
+
+
+class Solved(NamedTuple):
+    """A routine's values, what it called and with what, and what it was told of what it called: None of something that nobody can see."""
+
+    solution: Solution
+    called: Mapping[str, Env]
+    told: Mapping[str, Summary | None]
+
+
+class Program:
+    """The values of a program, routine by routine."""
+
+    def __init__(self, routines: Mapping[str, Routine]) -> None:
+        self.routines = routines
+        self.solved: dict[str, Solved] = {}
+        self._summaries: dict[str, Summary] = {}
+        self._entries: dict[str, Env] = {}
+        self._grown: Counter[tuple[str, bool]] = Counter()
+        self._waiting: list[str] = []
+        self._active: list[str] = []
+        self._callers: dict[str, list[str]] = {name: [] for name in routines}
+        for routine in routines.values():
+            for callee in sorted(routine.graph.callees & routines.keys()):
+                self._callers[callee].append(routine.name)
+        for name in routines:
+            self._summaries[name] = Summary(None, False, self._reached(name, False), self._reached(name, True))
+
+    def entry(self, name: str) -> Env:
+        """What a routine is called with, all calls together."""
+        return self._entries[name]
+
+    def summary(self, label: str) -> Summary | None:
+        """What is known of a routine; None: it is none of this program."""
+        return self._summaries.get(label)
+
+    def solving(self) -> Iterator[None]:
+        """Find the values, in work that can be left at each step."""
+        for routine in self.routines.values():
+            if routine.entry is not None:
+                self._enter(routine.name, routine.entry)
+        while self._waiting:
+            yield from self._solve(self._waiting.pop())
+
+    def _solve(self, name: str) -> Iterator[None]:
+        self._active.append(name)
+        entry = self._entries[name]
+        solved = self.solved[name] = yield from _solved(self.routines[name], entry, self)
+        self._active.pop()
+        if entry is self._entries[name] and name in self._waiting and self.tells(solved):
+            # What was found on the way was found in time.
+            self._waiting.remove(name)
+        elif not self.tells(solved):
+            self._queue(name)
+        self._leave(name, solved.solution)
+        for callee, env in solved.called.items():
+            self._called(callee, env)
+        if None in solved.told.values():
+            for other in self.routines:
+                self._called(other, {})
+
+    def tells(self, solved: Solved) -> bool:
+        """Whether what a routine was told of others is still what is known of them."""
+        return all(self._summaries.get(label) == told for label, told in solved.told.items())
+
+    def ahead(self, name: str, env: Env) -> None:
+        """Go through a routine where it is first called, so that its caller need not wait for it."""
+        self._called(name, env)
+        if name in self._waiting and name not in self._active and len(self._active) < _DEEPEST:
+            self._waiting.remove(name)
+            for _ in self._solve(name):
+                pass
+
+    def _called(self, name: str, env: Env) -> None:
+        self._enter(name, {**env, **unset(self.routines[name].graph.locals, True)})
+
+    def _enter(self, name: str, env: Env) -> None:
+        old = self._entries.get(name)
+        if old is not None:
+            env = self._merge(name, False, old, env)
+        if env != old:
+            self._entries[name] = env
+            self._queue(name)
+
+    def _leave(self, name: str, solution: Solution) -> None:
+        old = self._summaries[name]
+        env, stops = solution.returned, old.stops or solution.stops or self._stops(name)
+        if env is not None and old.written is not None:
+            env = {key: value for key, value in env.items() if key in old.written}
+        if env is None or old.env is None:
+            env = old.env if env is None else env
+        else:
+            env = self._merge(name, True, old.env, env)
+        if (env, stops) != (old.env, old.stops):
+            self._summaries[name] = old._replace(env=env, stops=stops)
+            for caller in self._callers[name]:
+                if caller in self._entries:
+                    self._queue(caller)
+
+    def _stops(self, name: str) -> bool:
+        callees = self.routines[name].graph.callees
+        return any(each not in self._summaries or self._summaries[each].stops for each in callees)
+
+    def _merge(self, name: str, leaving: bool, old: Env, new: Env) -> Env:
+        self._grown[name, leaving] += 1
+        return (widen if self._grown[name, leaving] > _PATIENCE else join)(old, new)
+
+    def _queue(self, name: str) -> None:
+        if name not in self._waiting:
+            self._waiting.append(name)
+
+    def _reached(self, name: str, written: bool) -> frozenset[Key] | None:
+        """What a routine and all that it calls read and set, or only set, of what is shared; None: who knows what."""
+        found: set[Key] = set()
+        seen, waiting = {name}, [name]
+        while waiting:
+            routine = self.routines.get(waiting.pop())
+            graph = routine.graph if routine is not None else None
+            if graph is None or graph.writes is None or (graph.reads is None and not written):
+                return None
+            found |= graph.writes if written else graph.writes | (graph.reads or frozenset())
+            waiting += graph.callees - seen
+            seen |= graph.callees
+        return frozenset(found)
+
+
+_OUTDATED = Summary(None, True, frozenset(), None)
+"""What nothing is ever known to be."""
+
+
+class _Ledger:
+    """What one routine asks of the others while it is gone through."""
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        self.called: dict[str, Env] = {}
+        self.told: dict[str, Summary | None] = {}
+
+    def call(self, label: str, arguments: Env, shared: Env) -> Summary | None:
+        """What is known of a routine; what it is called with is noted."""
+        found = self._program.summary(label)
+        if found is not None:
+            touched = found.touched
+            env = {key: value for key, value in shared.items() if touched is None or key in touched}
+            mentions = self._program.routines[label].graph.mentions
+            env.update((key, value) for key, value in arguments.items() if mentions is None or key in mentions)
+            known = self.called.get(label)
+            self.called[label] = env if known is None else join(known, env)
+            self._program.ahead(label, env)
+            found = self._program.summary(label)
+        if found != self.told.setdefault(label, found):
+            # It was told otherwise at another call: what it was told first no longer holds, so that it is gone through again.
+            self.told[label] = _OUTDATED
+        return found
+
+
+_kept: OrderedDict[Hashable, list[Solved]] = OrderedDict()
+"""Values by what a routine says and starts with; of each as many as there were answers to its calls."""
+
+
+def _solved(routine: Routine, entry: Env, program: Program) -> Generator[None, None, Solved]:
+    """The values of a routine: those that are kept, if it was told the same of its calls before."""
+    key = (routine.graph, frozenset(entry.items()))
+    versions = _kept.setdefault(key, [])
+    _kept.move_to_end(key)
+    for solved in versions:
+        if program.tells(solved):
+            return solved
+    ledger = _Ledger(program)
+    found = Solved(Solution(routine.graph, entry, ledger), ledger.called, ledger.told)
+    yield from found.solution.steps()
+    versions.insert(0, found)
+    del versions[_VERSIONS:]
+    while len(_kept) > _KEPT:
+        _kept.popitem(last=False)
+    return found

@@ -1,0 +1,31 @@
+"""RS274's part in proving values: its routines, and what they start with. Says nothing of what is found."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from deburr.analysis import Analysis
+    from deburr.values.program import Routine
+    from deburr_grammar.document import Document
+
+
+def worth(document: Document) -> bool:
+    """Whether anything in the program has a value that a line does not tell alone."""
+    from deburr.values.rs274.lines import concerns
+
+    return concerns(document)
+
+
+def routines(analysis: Analysis) -> Mapping[str, Routine] | None:
+    """The main program and the subprograms; None where nothing can be said of them."""
+    from deburr.values.rs274.split import routines_of
+
+    return routines_of(analysis)
+
+
+def written(key: object) -> str:
+    """A parameter as one writes it."""
+    return f"#<{key}>" if isinstance(key, str) else f"#{key}"

@@ -1,0 +1,147 @@
+"""One routine's values at each of its nodes: round after round until nothing grows, then back to what loops really leave. Knows no language."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+from heapq import heapify, heappop, heappush
+
+from deburr.values.graph import RETURN, STOP, Calls, Env, Graph, Proof, join, joined_all, widen
+
+_PATIENCE = 2
+"""Rounds in which a loop's values may grow as they like; after that they go to resting places."""
+_BACK = 4
+"""Rounds back at each node. The values of each round are true, so that any number will do."""
+_ENTRY = -3
+_PACE = 100
+"""Nodes between two moments at which the work can be left: some milliseconds' worth."""
+
+
+class Solution:
+    """The values before each node that can be reached, and what leaves the routine."""
+
+    def __init__(self, graph: Graph, entry: Env, calls: Calls) -> None:
+        self.graph = graph
+        self._calls = calls
+        self._came: dict[int, dict[int, Env]] = {node: {} for node in (*graph.nodes, RETURN, STOP)}
+        self._targets: dict[int, tuple[int, ...]] = {}
+        self._rounds: Counter[int] = Counter()
+        self.before: dict[int, Env] = {}
+        self.proofs: dict[int, Proof] = {}
+        """What is certain to go wrong at a node that can be reached."""
+        self.doubtful: set[int] = set()
+        """The nodes at which something may go wrong."""
+        self._came[min(graph.nodes, default=RETURN)][_ENTRY] = entry
+
+    def steps(self) -> Iterator[None]:
+        """Find them, in work that can be left at each step."""
+        yield from self._follow([min(self.graph.nodes, default=RETURN)], self._grown)
+        self._rounds.clear()
+        yield from self._follow(list(self.graph.heads), self._settled)
+        del self._calls
+
+    @property
+    def returned(self) -> Env | None:
+        """What it returns with; None: it does not return."""
+        return joined_all(self._came[RETURN].values())
+
+    @property
+    def stops(self) -> bool:
+        """Whether the program may end in it."""
+        return bool(self._came[STOP])
+
+    def targets(self, node: int) -> tuple[int, ...]:
+        """Where a node may go on."""
+        return self._targets.get(node, ())
+
+    def sources(self, node: int) -> Iterable[int]:
+        """From where a node may be reached."""
+        return [source for source in self._came[node] if source != _ENTRY]
+
+    def entered(self, node: int) -> bool:
+        """Whether the routine starts at a node."""
+        return _ENTRY in self._came[node]
+
+    def _follow(self, first: list[int], now: Callable[[int], Env | None]) -> Iterator[None]:
+        waiting, queued = list(first), set(first)
+        heapify(waiting)
+        done = 0
+        while waiting:
+            node = heappop(waiting)
+            queued.discard(node)
+            if node not in self.graph.nodes:
+                continue
+            done += 1
+            if done % _PACE == 0 or self.graph.nodes[node].calls:
+                yield
+            env = now(node)
+            if env == self.before.get(node):
+                continue
+            for target in self._passed(node, env):
+                if target not in queued:
+                    queued.add(target)
+                    heappush(waiting, target)
+
+    def _grown(self, node: int) -> Env | None:
+        """What comes to a node; where a loop comes round, with all that came before, so that it comes to rest."""
+        new, old = self._met(node), self.before.get(node)
+        if new is None or old is None or node not in self.graph.heads:
+            return new
+        self._rounds[node] += 1
+        return (widen if self._rounds[node] > _PATIENCE else join)(old, new)
+
+    def _settled(self, node: int) -> Env | None:
+        """What comes to a node now that nothing grows: a head forgets the resting places that no way leads to."""
+        self._rounds[node] += 1
+        if self._rounds[node] > _BACK:
+            return self.before.get(node)
+        return self._met(node)
+
+    def _met(self, node: int) -> Env | None:
+        """What comes to a node from all sides. Round a loop nothing comes that is not set in it: it is what it was before."""
+        came, head = self._came[node], self.graph.heads.get(node)
+        if head is None:
+            return joined_all(came.values())
+        outside = joined_all(env for source, env in came.items() if not node <= source <= head.last)
+        inside = joined_all(env for source, env in came.items() if node <= source <= head.last)
+        if outside is None or inside is None:
+            return outside
+        both = join(outside, inside)
+        return {
+            key: value
+            for key, old in outside.items()
+            if (value := both.get(key) if head.sets(key) else old) is not None
+        }
+
+    def _passed(self, node: int, env: Env | None) -> Iterable[int]:
+        """Send values through a node; the nodes for which that changes something."""
+        old = self._targets.get(node, ())
+        if env is None:
+            del self.before[node]
+            self.proofs.pop(node, None)
+            flows = {}
+        else:
+            self.before[node] = env
+            flows = self._flows(node, env)
+        self._targets[node] = tuple(flows)
+        for gone in old:
+            if gone not in flows:
+                del self._came[gone][node]
+                yield gone
+        for target, values in flows.items():
+            came = self._came[target]
+            if came.get(node) != values:
+                came[node] = values
+                yield target
+
+    def _flows(self, node: int, env: Env) -> dict[int, Env]:
+        found: dict[int, Env] = {}
+        self.proofs.pop(node, None)
+        here = self.graph.nodes[node]
+        try:
+            for target, values in here.flow(env, self._calls):
+                found[target] = join(found[target], values) if target in found else values
+        except Proof as proof:
+            self.proofs[node] = proof
+        (self.doubtful.add if here.doubtful() else self.doubtful.discard)(node)
+        return found

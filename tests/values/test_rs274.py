@@ -1,0 +1,196 @@
+"""RS274: what is proven at each line, that it holds in runs, and what an edit costs (spec/rs274.md §3, §4, §6)."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import pytest
+
+from deburr.analysis import Analysis
+from deburr.expand import Budget, Inputs, Job, Program, drive
+from deburr.expand.rs274.run import Run
+from deburr.expand.rs274.state import State
+from deburr.expand.rs274.unit import Op, Unit
+from deburr.values import proving
+from deburr.values.graph import Key
+from deburr.values.words import said
+from deburr_grammar.dialect import Role
+from support.programs import generated
+from support.values import MAIN, Known, analysed, known
+
+FRAME = "G21 G90 G17 F100\n"
+MEANT: dict[str, tuple[str, int, Key, str]] = {
+    "a constant": ("#3=[2*5]\nG0 X#3\n", 2, 3, "10"),
+    "what the machine knows": ("#3=#5420\nG0 X#3\n", 2, 3, ""),
+    "a loop that counts up": ("#3=0\no1 while [#3 LT 100]\nG0 X#3\n#3=[#3+10]\no1 endwhile\n", 3, 3, "0 … 90 step 10"),
+    "behind a loop that counts up": ("#3=0\no1 while [#3 LT 100]\n#3=[#3+10]\no1 endwhile\nG0 X#3\n", 5, 3, "100"),
+    "a loop that counts down by tenths": ("#3=0\no1 while [#3 GT -1]\n#3=[#3-0.1]\nG0 Z#3\no1 endwhile\n", 4, 3, "-1.1 … -0.1"),
+    "a loop in a loop": (
+        "#3=0\no1 while [#3 LT 3]\n#4=8\no2 while [#4 GT 0]\nG0 X#3 Y#4\n#4=[#4-2]\no2 endwhile\n#3=[#3+1]\no1 endwhile\n",
+        5, 4, "2 … 8 step 2",
+    ),
+    "the outer one in the inner one": (
+        "#3=0\no1 while [#3 LT 3]\n#4=8\no2 while [#4 GT 0]\nG0 X#3 Y#4\n#4=[#4-2]\no2 endwhile\n#3=[#3+1]\no1 endwhile\n",
+        5, 3, "0 … 2, integers",
+    ),
+    "a repeated sum": ("#3=0\no1 repeat [4]\n#3=[#3+2]\no1 endrepeat\nG0 X#3\n", 5, 3, "at least 2"),
+    "a branch": ("o1 if [#5420 GT 0]\n#3=1\no1 else\n#3=4\no1 endif\nG0 X#3\n", 6, 3, "1 … 4 step 3"),
+    "a condition": ("#3=#5420\no1 if [#3 GT 2]\nG0 X#3\no1 endif\n", 3, 3, "above 2"),
+    "a condition that does not hold": ("#3=#5420\no1 if [#3 GT 2]\no1 else\nG0 X#3\no1 endif\n", 4, 3, "at most 2"),
+    "two conditions at once": ("#3=#5420\no1 if [[#3 GT 2] AND [#3 LE 9]]\nG0 X#3\no1 endif\n", 3, 3, "2 … 9"),
+    "that it is not 0": ("#3=#5420\no1 if [#3 NE 0]\nG0 X#3\no1 endif\n", 3, 3, "never 0"),
+    "that it is an integer": ("#3=FIX[#5420]\no1 if [[#3 GT 2] AND [#3 LT 9]]\nG0 X#3\no1 endif\n", 3, 3, "3 … 8, integers"),
+    "a remainder": ("#3=[FIX[#5420] MOD 6]\nG0 X#3\n", 2, 3, "0 … 5, integers"),
+    "a sine": ("#3=[SIN[#5420]*20]\nG0 X#3\n", 2, 3, "-20 … 20"),
+    "a name without a value": ("G0 X#5420\n#<b>=1\n", 2, "b", "not set"),
+    "a name that one way sets": ("o1 if [#5420 GT 0]\n#<b>=1\no1 endif\nG0 X#5420\n#<b>=2\n", 5, "b", "1, or not set"),
+    "an argument of all calls": ("o<s> sub\nG0 X#1\no<s> endsub\no<s> call [3]\no<s> call [5]\n", 2, 1, "3 … 5 step 2"),
+    "an argument that none gives": ("o<s> sub\nG0 X#2\no<s> endsub\no<s> call [3]\n", 2, 2, "0"),
+    "what a subprogram sets": ("o<s> sub\n#100=[#1+1]\no<s> endsub\n#100=0\no<s> call [3]\nG0 X#100\n", 6, 100, "4"),
+    "what a subprogram leaves alone": ("o<s> sub\n#100=#1\no<s> endsub\n#101=7\n#1=9\no<s> call [3]\nG0 X#101 Y#1\n", 7, 1, "9"),
+    "one of several that is set by a computed number": ("#31=1\n#32=5\n#[31+[FIX[#5420] MOD 2]]=3\nG0 X#31 Y#32\n", 4, 32, "3 … 5 step 2"),
+    "what nobody can see sets": ("#100=1\no<elsewhere> call\nG0 X#100\n", 3, 100, ""),
+}  # fmt: skip
+"""A program behind its frame, a line of it from 1, a parameter, and what it holds before that line."""
+
+
+@pytest.mark.parametrize("name", MEANT)
+def test_what_a_parameter_holds(name: str) -> None:
+    program, line, key, text = MEANT[name]
+    found = known(analysed(f"{FRAME}{program}M2\n", "rs274"))
+    assert found is not None
+    value = found.before[line].get(key)
+    assert (said(value) if value is not None else "") == text, value
+
+
+SILENT = {
+    "a value that only the machine knows": "#3=#5420\nG0 X[5/#3]\n",
+    "one way of two": "o1 if [#5420 GT 0]\n#3=0\no1 else\n#3=1\no1 endif\nG0 X[5/#3]\n",
+    "a loop that an input ends": "o1 while [#5399 EQ 0]\nM66 P1 L0\no1 endwhile\n",
+    "a loop that is left": "#3=0\no1 while [1]\n#3=[#3+1]\no2 if [#3 GT 5]\no1 break\no2 endif\no1 endwhile\n",
+    "a loop in which the program ends": "#3=0\no1 while [1]\n#3=[#3+1]\no2 if [#3 GT 5]\nM30\no2 endif\no1 endwhile\n",
+    "a loop that stops with a message": "#3=1\no1 while [#3 GT 0]\no2 if [#5420 GT 5]\n(ABORT, at the end)\no2 endif\no1 endwhile\n",
+    "a loop whose call may end it": "o<s> sub\nM2\no<s> endsub\no1 while [1]\no<s> call\no1 endwhile\n",
+    "a loop that runs out of parameters": "#3=100\no1 while [#3 GT 0]\n#[#3]=1\n#3=[#3+1]\no1 endwhile\n",
+    "a division that is never reached": "#3=0\no1 if [#3 GT 0]\nG0 X[5/#3]\no1 endif\n",
+    "a line that the operator may leave out": "#3=5\n/#3=0\nG0 X[5/#3]\n",
+    "a name for which EXISTS asks": "o1 if [EXISTS[#<b>]]\n#<c>=1\no1 endif\n#<b>=2\n",
+    "what a file of stored parameters may hold": "G0 X[5/#100]\n",
+    "an argument of one call of two": "o<s> sub\nG0 X[5/#1]\no<s> endsub\no1 if [#5420 GT 0]\no<s> call [0]\no1 endif\no<s> call [1]\n",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SILENT)
+def test_nothing_is_said_of_what_is_not_proven(name: str) -> None:
+    found = [each for each in proving(analysed(f"{FRAME}{SILENT[name]}M2\n", "rs274")) if each is not None]
+    assert found == []
+
+
+def test_the_chain_is_told() -> None:
+    program = "o<s> sub\n#3=[#1-10]\nG0 X[5/#3]\no<s> endsub\nG0 X#5420\no<s> call [10]\nM2\n"
+    found = next(each for each in proving(analysed(FRAME + program, "rs274")) if each is not None)
+    assert [(each.place.line, each.message) for each in found.related] == [
+        (2, "`#3` is set here, it holds 0"),
+        (6, "called here"),
+    ]
+
+
+def test_conditions_are_part_of_the_chain() -> None:
+    program = "#3=#5420\no1 if [#3 GE 6]\nG0 X[SQRT[5-#3]]\no1 endif\nM2\n"
+    found = next(each for each in proving(analysed(FRAME + program, "rs274")) if each is not None)
+    assert [(each.place.line, each.message) for each in found.related] == [
+        (2, "from here on `#3`, it holds at least 6"),
+        (1, "`#3` is set here"),
+    ]
+
+
+@pytest.mark.parametrize("first", range(0, 900, 90))
+def test_runs_see_what_is_proven(first: int) -> None:
+    """Each value that the interpreter sees lies in the range of its line, and no line is passed of which a fault is proven."""
+    seen = sum(_watched(seed) for seed in range(first, first + 90))
+    assert seen > 1_000
+
+
+def _watched(seed: int) -> int:
+    program = generated(seed)
+    analysis = analysed(program.text, "rs274", program.files)
+    found = known(analysis)
+    if found is None:
+        return 0
+    watch = _Watch(analysis, found)
+    with watch.watching():
+        job = Job(
+            (Program(MAIN, analysis.document),),
+            analysis.ruleset,
+            analysis.host,
+            watch,
+            Inputs(simulate=True),
+            Budget(3_000, 0),
+        )
+        for _ in drive(job):
+            pass
+    assert watch.wrong == [], f"seed {seed}"
+    return watch.seen
+
+
+class _Watch:
+    """Looks at the parameters before each line that is executed."""
+
+    def __init__(self, analysis: Analysis, found: Known) -> None:
+        self._known = found
+        self._subs = {row for row, bracket in analysis.document.brackets() if bracket.role is Role.REGION}
+        self.wrong: list[tuple[object, ...]] = []
+        self.seen = 0
+
+    def line(self, text: str) -> None:
+        """Nobody wants the lines."""
+
+    @contextmanager
+    def watching(self) -> Iterator[None]:
+        """Have each line looked at."""
+        compiled = Run._compile
+
+        def compiling(run: Run, unit: Unit, row: int) -> Op:
+            op = compiled(run, unit, row)
+            if unit.file != MAIN or row not in self._known.taking or row in self._subs:
+                return op
+
+            def executed() -> int:
+                self._look(row, run.state)
+                behind = op()
+                if row in self._known.stopping:
+                    self.wrong.append((row, "is passed"))
+                return behind
+
+            return executed
+
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(Run, "_compile", compiling)
+            yield
+
+    def _look(self, row: int, state: State) -> None:
+        env = self._known.before.get(row)
+        if env is None:
+            self.wrong.append((row, "is reached"))
+        for key, value in (env or {}).items():
+            self.seen += 1
+            names = state.globals if str(key).startswith("_") else state.locals
+            got = state.params[key] if isinstance(key, int) else names.get(str(key))
+            if not (value.unset if got is None else value.has(got)):
+                self.wrong.append((row, key, value, got))
+
+
+def test_a_wrong_range_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The proof that runs are looked at: with a subtraction that adds, many differ."""
+    from deburr.values import operations
+
+    monkeypatch.setattr(operations, "minus", operations.plus)
+    from deburr.values.rs274 import expressions
+
+    expressions.lifted_operation.cache_clear()
+    try:
+        with pytest.raises(AssertionError, match="seed"):
+            for seed in range(9_000, 9_100):
+                _watched(seed)
+    finally:
+        monkeypatch.undo()
+        expressions.lifted_operation.cache_clear()
