@@ -19,5 +19,6 @@ def test_a_case_gives_what_it_says(case: Case) -> None:
         place, _, words = words.partition(" ")
         assert found.startswith(f"{head} {place} ") and words in found, said
     assert expansion.lines == case.expected
-    if "map" in case.parts:
-        assert mapped(expansion) == case.parts["map"].strip("\n").split("\n")
+    wanted = case.parts["map"].strip("\n").split("\n") if case.parts.get("map", "").strip("\n") else []
+    if case.dialect != "rs274" or wanted:
+        assert mapped(expansion) == wanted
