@@ -134,7 +134,7 @@ def test_two_programs_are_compared_flat(shell):
     assert ran.out.splitlines() == [
         "--- loop.ngc",
         "+++ other.ngc",
-        "@@ -1,5 +1,5 @@ loop.ngc:4 <- loop.ngc:3 (loop 3) | other.ngc:4 <- other.ngc:3 (loop 3)",
+        "@@ -1,5 +1,5 @@ loop.ngc:4 <- loop.ngc:3 (loop 2) | other.ngc:4 <- other.ngc:3 (loop 2)",
         " G21 G90",
         "   G0 X0",
         "-  G0 X10",

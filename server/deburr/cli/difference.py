@@ -14,21 +14,28 @@ def difference(one: Flat, other: Flat) -> Iterator[str]:
     """The lines of the diff; none if the programs are the same."""
     before, after = one.lines(), other.lines()
     old, new = (_short(flat.programs[0].file) for flat in (one, other))
+    hunk, head = None, list[str]()
     for line in unified_diff(before, after, old, new, lineterm=""):
-        hunk = _HUNK.fullmatch(line)
-        if hunk is None:
+        if (found := _HUNK.fullmatch(line)) is not None:
+            hunk, head = found, [line]
+        elif hunk is not None and line.startswith(" "):
+            head.append(line)
+        elif hunk is not None:
+            same = len(head) - 1
+            places = (_origin(one, int(hunk[1]) + same, hunk[2]), _origin(other, int(hunk[3]) + same, hunk[4]))
+            yield f"{head[0]} {' | '.join(place for place in places if place)}"
+            yield from head[1:]
             yield line
-            continue
-        places = (_origin(one, int(hunk[1]), hunk[2]), _origin(other, int(hunk[3]), hunk[4]))
-        yield f"{line} {' | '.join(place for place in places if place)}"
+            hunk = None
+        else:
+            yield line
 
 
-def _origin(flat: Flat, first: int, count: str | None) -> str:
-    """Where the middle of a hunk comes from: its context is three lines on each side."""
+def _origin(flat: Flat, changed: int, count: str | None) -> str:
+    """Where the first changed line of a hunk comes from, counted from 1; of a side that has none there, the line in front of which it would stand."""
     if flat.source_map is None or not len(flat.source_map):
         return ""
-    size = int(count) if count is not None else 1
-    at = min(max(first - 1, 0) + min(3, max(size - 1, 0)), len(flat.source_map) - 1)
+    at = min(max(changed - (count != "0"), 0), len(flat.source_map) - 1)
     origin = flat.source_map.origin(at)
     frames = [
         f"{_short(frame.file)}:{frame.row + 1} ({frame.kind} {frame.number})" for frame in flat.source_map.stack(at)

@@ -98,25 +98,26 @@ class Flat:
         self._encoding = programs[-1].source.encoding
         self._bom = programs[0].source.bom
         self._ends = programs[-1].source.text.endswith(("\n", "\r"))
-        self._count = 0
+        self.count = 0
+        """Lines so far."""
 
     def line(self, text: str) -> None:
         """One more line."""
-        if self._count:
+        if self.count:
             self.file.write(self._eol)
-        self._count += 1
+        self.count += 1
         self.file.write(text.encode(self._encoding, "replace"))
 
     def lines(self) -> list[str]:
         """All lines, to be compared."""
         self.file.seek(0)
-        return self.file.read().decode(self._encoding).split(self._eol.decode()) if self._count else []
+        return self.file.read().decode(self._encoding).split(self._eol.decode()) if self.count else []
 
     def written(self, output: str | None, source_map: str | None) -> int:
         """Put the flat program where it is wanted; the exit code."""
         if not self.whole and not self.terms.inputs.partial:
             return 1
-        if self._count and self._ends:
+        if self.count and self._ends:
             self.file.write(self._eol)
         if source_map is not None:
             self._write_map(output, source_map)
@@ -159,7 +160,7 @@ def flat_of(programs: Sequence[Opened], terms: Terms, lines: IO[bytes]) -> Flat:
     else:
         found = merged(found, _run(flat))
     shown = [finding for finding in found if finding.severity is Severity.ERROR or not terms.quiet]
-    _say([finding for finding in shown if finding.severity > Severity.INFO], programs)
+    _say([finding for finding in shown if finding.severity > Severity.INFO], flat)
     return flat
 
 
@@ -197,10 +198,10 @@ def _run(flat: Flat) -> Iterator[Finding]:
         yield finding
 
 
-def _say(found: list[Finding], programs: Sequence[Opened]) -> None:
+def _say(found: list[Finding], flat: Flat) -> None:
     from deburr.cli.reporters import full
 
-    outcomes = []
+    outcomes, programs = [], flat.programs
     for program in programs:
         own = tuple(finding for finding in found if finding.place.file == program.file)
         if program is programs[0]:
@@ -211,7 +212,9 @@ def _say(found: list[Finding], programs: Sequence[Opened]) -> None:
     full.report(Result(tuple(outcomes)), sys.stderr, style_for(sys.stderr))
     errors = sum(finding.severity is Severity.ERROR for finding in found)
     if errors:
-        complain(f"nothing was written: {errors} error{'s' if errors > 1 else ''}", "")
+        wanted = flat.terms.inputs.partial and flat.count
+        what = f"only {flat.count:,} lines were written" if wanted else "nothing was written"
+        complain(f"{what}: {errors} error{'s' if errors > 1 else ''}", "")
 
 
 class _replacing:

@@ -73,8 +73,18 @@ def settings(arguments: argparse.Namespace) -> Iterator[tuple[str, str]]:
                 yield f"{dialect}.{name}", paths.absolute(path)
 
 
+_RUNS = {"block_delete": None, "machine_values": "refuse", "keep_n": False, "decimals": None}
+"""Options that only some interpreters follow, with what stands there if they are not given."""
+
+
 def known(arguments: argparse.Namespace, dialect: Dialect) -> None:
     """Say which option means nothing to the dialect, instead of passing over it."""
+    from deburr.expand import interpreter
+
+    followed = getattr(interpreter(dialect.name), "FOLLOWS", ())
+    for name, default in _RUNS.items():
+        if getattr(arguments, name, default) != default and name not in followed:
+            raise ConfigError(f"--{name.replace('_', '-')}: means nothing to {dialect.name} programs")
     names = {setting.name for setting in dialect.settings}
     for option, name in _FILES.items():
         if getattr(arguments, name.replace("-", "_")) is not None and name not in names:

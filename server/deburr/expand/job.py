@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
@@ -70,6 +70,8 @@ class Job:
         """Whether the budget ended the run."""
         self.halted = False
         """Whether the last fault ended the run."""
+        self.where: Callable[[], str] = str
+        """What the run is in, in words: a loop and its variable's last values; nothing outside of loops."""
         self._pace = pace
         self._line = sink.line
         self._map = source_map
@@ -84,24 +86,29 @@ class Job:
         """A flat line and where it comes from (0-based row)."""
         if self.emitted == self.budget.blocks and self.emitted:
             self.cut = True
-            limit = f"the flat program has more than {self.emitted:,} lines; --max-blocks sets another limit"
+            limit = f"the flat program has more than {self.emitted:,} lines{self._inside()}; --max-blocks sets another limit"
             raise Halt(Fault("limit", file, row, Span(0, 0), limit, frame))
         self.emitted += 1
         self._line(text)
         if self._map is not None:
             self._map.add(file, row, frame)
 
-    def slice(self, file: str, row: int, frame: Frame | None, where: str = "") -> int:
-        """How many steps may be done before the next yield. ``where`` names what the run is in: a loop and its variable's last values."""
+    def slice(self, file: str, row: int, frame: Frame | None) -> int:
+        """How many steps may be done before the next yield."""
         left = self.budget.steps - self.steps if self.budget.steps else self._pace
         if left <= 0:
             self.cut = True
-            inside = f", last in {where}" if where else ""
-            limit = f"more than {self.budget.steps:,} lines were executed{inside}; --max-steps sets another limit"
+            limit = (
+                f"more than {self.budget.steps:,} lines were executed{self._inside()}; --max-steps sets another limit"
+            )
             raise Halt(Fault("limit", file, row, Span(0, 0), limit, frame))
         found = min(self._pace, left)
         self.steps += found
         return found
+
+    def _inside(self) -> str:
+        where = self.where()
+        return f", last in {where}" if where else ""
 
     @contextmanager
     def silent(self) -> Iterator[None]:

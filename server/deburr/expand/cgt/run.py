@@ -63,6 +63,7 @@ class Run:
         self._given = JobData(toolpath, self._template)
         self._words = Words(self._template)
         self._state = State(job, program.file, self._words, self._unit_of)
+        job.where = self._state.where
         self._pieces = Pieces(self._state, self._template, self._given)
         self._units: dict[str, Unit | None] = {}
         self._called = {target(call)[0] for call, _ in self._template.calls()}
@@ -79,7 +80,7 @@ class Run:
             while at >= 0 or (unit is None and state.left <= 0):
                 if state.left <= 0:
                     row = state.unit.rows[at] if at >= 0 else 0
-                    state.left += self._job.slice(self._file, row, state.lines.frame, state.where())
+                    state.left += self._job.slice(self._file, row, state.lines.frame)
                     yield
                 while state.left > 0 and at >= 0:
                     at = state.unit.ops[at]()

@@ -68,6 +68,7 @@ class Run:
 
     def __init__(self, job: Job, gathered: Gathered, values: dict[str, str], unsure: bool) -> None:
         self._job = job
+        job.where = self._where
         self._gathered = gathered
         self._values = values
         self._unsure = unsure
@@ -102,7 +103,7 @@ class Run:
             at += 1
 
     def _slice(self, at: int, row: int) -> int:
-        return self._job.slice(self._gathered.steps[at].text.file, row, self._frame(at), self._where())
+        return self._job.slice(self._gathered.steps[at].text.file, row, self._frame(at))
 
     def _where(self) -> str:
         """The innermost loop and what it counts, in words."""

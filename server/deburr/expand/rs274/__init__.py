@@ -2,4 +2,5 @@
 
 from deburr.expand.rs274.run import run, worth_running
 
-__all__ = ["run", "worth_running"]
+FOLLOWS = ("block_delete", "machine_values", "keep_n", "decimals")
+__all__ = ["FOLLOWS", "run", "worth_running"]

@@ -58,6 +58,7 @@ class Run:
 
     def __init__(self, job: Job) -> None:
         self.job = job
+        job.where = self._where
         machine = Machine(job)
         self.state = State(job, machine)
         machine.state = self.state
@@ -84,7 +85,7 @@ class Run:
             if row == ELSEWHERE:
                 unit, row = self.unit, self.row
             code, last = unit.code, len(unit.code)
-            left = self.job.slice(unit.file, min(row, last - 1), self.state.frame, self._where(unit))
+            left = self.job.slice(unit.file, min(row, last - 1), self.state.frame)
             try:
                 while left and row >= 0:
                     if row >= last:
@@ -172,9 +173,9 @@ class Run:
         # A file that is called may ask as well.
         return any(label not in unit.subs or self._flow.calls.load(label) is not None for label in unit.called)
 
-    def _where(self, unit: Unit) -> str:
+    def _where(self) -> str:
         """The innermost loop and what it depends on, in the user's words."""
-        loops = self.state.loops
+        loops, unit = self.state.loops, self.unit
         if not loops:
             return ""
         row, frame = loops[-1].first, self.state.frame

@@ -58,6 +58,7 @@ class Run:
 
     def __init__(self, job: Job, unit: Unit) -> None:
         self._job = job
+        job.where = self._where
         self._state = State(job, unit)
         self._flow = Flow(self._state)
         self._keep_n = job.inputs.keep_n
@@ -89,7 +90,7 @@ class Run:
         """How many lines may be run before the next pause. Where that is none, a loop that does nothing is called what it is."""
         job, state = self._job, self._state
         try:
-            return job.slice(unit.file, row, state.frame, self._where(unit))
+            return job.slice(unit.file, row, state.frame)
         except Halt:
             found = goes_round(state, row, self._step)
             if found is None:
@@ -139,9 +140,9 @@ class Run:
             raise undecided(self._state, unit, row, node.text)
         return (lambda: behind) if passed else advanced(self._flow, unit, row, node)
 
-    def _where(self, unit: Unit) -> str:
+    def _where(self) -> str:
         """The innermost loop and what it depends on, in the user's words."""
-        loop, frame = self._state.loop, self._state.frame
+        loop, frame, unit = self._state.loop, self._state.frame, self._state.program.unit
         if loop is None or frame is None or frame.kind is not Entered.LOOP:
             return ""
         row = unit.jumps_back[loop.first]
