@@ -1,4 +1,4 @@
-"""Writes what is derived from the code: the rule pages, the JSON schema of the configuration, the file types of editors.
+"""Writes what is derived from the code: rule pages, the JSON schema of the configuration, file types of editors, the VS Code extension's manifest.
 
 `python -m deburr.dev.generate` writes them; a test proves them fresh.
 """
@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from deburr.dev import filetypes
+from deburr.dev.manifest import FOLDER, files_for_vscode
 from deburr.page import kind, markdown
 from deburr.rule import rule_names, rules_of
 from deburr.schema import LEVELS, TOP, Free, tables
@@ -23,11 +24,14 @@ SCHEMA = "server/deburr/deburr.schema.json"
 def generated() -> dict[str, str]:
     """All derived files: path from the repository's root, and content."""
     found = {f"{PAGES}/{name}.md": pages(name) for name in NAMES}
+    manifest = (ROOT / FOLDER / "package.json").read_text(encoding="utf-8")
+    known = schema()
     return {
         f"{PAGES}/README.md": index(),
         **found,
-        SCHEMA: json.dumps(schema(), indent=2) + "\n",
+        SCHEMA: json.dumps(known, indent=2) + "\n",
         **filetypes.files(),
+        **files_for_vscode(manifest, known),
     }
 
 

@@ -1,0 +1,101 @@
+"""What the VS Code extension contributes for the dialects: the part of its manifest that is made from their values. Never touches the rest."""
+
+import json
+from typing import Any
+
+from deburr.dev.editor import configuration, editor_of, textmate
+from deburr_grammar.dialect import Dialect
+from deburr_grammar.dialects import NAMES, by_name
+
+FOLDER = "vscode-extension"
+FLAT = "deburr-flat"
+"""The language of flat programs: colours as RS274 has them, and no diagnostics."""
+
+SCOPES = {
+    "variable": ["variable.parameter"],
+    "function": ["entity.name.function"],
+    "label": ["entity.name.label"],
+    "namespace": ["entity.name.section"],
+    "string": ["string.unquoted.file"],
+    "macro": ["keyword.other.gcode"],
+    "property": ["storage.type.word"],
+    "method": ["support.function"],
+    "keyword": ["keyword.control"],
+    "comment": ["comment"],
+    "number": ["constant.numeric"],
+}
+"""The server's semantic token types, and the scopes that themes colour."""
+
+
+def files_for_vscode(manifest: str, schema: dict[str, Any]) -> dict[str, str]:
+    """Path and content of all generated files of the extension; ``manifest`` is its `package.json` as it stands."""
+    found = {f"{FOLDER}/package.json": _json(_manifest(json.loads(manifest), schema))}
+    found[f"{FOLDER}/syntaxes/{FLAT}.tmLanguage.json"] = _json(
+        {"scopeName": f"source.{FLAT}", "patterns": [{"include": "source.rs274"}]}
+    )
+    for name in NAMES:
+        dialect = by_name(name)
+        found[f"{FOLDER}/syntaxes/{name}.tmLanguage.json"] = _json(textmate(dialect))
+        found[f"{FOLDER}/languages/{name}.json"] = _json(configuration(dialect))
+    return found
+
+
+def _manifest(manifest: dict[str, Any], schema: dict[str, Any]) -> dict[str, Any]:
+    dialects = [by_name(name) for name in NAMES]
+    own = manifest["contributes"]
+    made = {
+        "languages": [*(_language(each) for each in dialects), {"id": FLAT, "aliases": ["Expanded G-code"]}],
+        "grammars": [_grammar(name) for name in (*NAMES, FLAT)],
+        "semanticTokenScopes": [{"language": name, "scopes": SCOPES} for name in NAMES],
+        "configuration": [own["configuration"][0], *_settings(schema)],
+    }
+    return {**manifest, "contributes": {**own, **made}}
+
+
+def _language(dialect: Dialect) -> dict[str, Any]:
+    said = editor_of(dialect)
+    icon = dict.fromkeys(("light", "dark"), f"./icons/{dialect.name}.svg")
+    return {
+        "id": dialect.name,
+        "aliases": said["aliases"],
+        "extensions": list(dialect.extensions),
+        "firstLine": said["first-line"],
+        "configuration": f"./languages/{dialect.name}.json",
+        "icon": icon,
+    }
+
+
+def _grammar(name: str) -> dict[str, Any]:
+    return {"language": name, "scopeName": f"source.{name}", "path": f"./syntaxes/{name}.tmLanguage.json"}
+
+
+def _settings(schema: dict[str, Any]) -> list[dict[str, Any]]:
+    """One page of settings for each table of `deburr.toml`. Nothing has a default: what is not set is the configuration file's."""
+    tables = {name: said for name, said in schema["properties"].items() if said.get("type") == "object"}
+    return [
+        {
+            "title": _title(table),
+            "properties": {f"deburr.{table}.{key}": _setting(value) for key, value in keys.items()},
+        }
+        for table, said in tables.items()
+        if (keys := said.get("properties", {}))
+    ]
+
+
+def _title(table: str) -> str:
+    return by_name(table).title if table in NAMES else table.capitalize()
+
+
+def _setting(said: dict[str, Any]) -> dict[str, Any]:
+    kind = {key: said[key] for key in ("items", "additionalProperties") if key in said}
+    if said.get("properties"):
+        # One line for each rule would be most of the manifest; which names there are, the server says.
+        kind["additionalProperties"] = next(iter(said["properties"].values()))
+    choices = {"enum": [*said["enum"], None]} if "enum" in said else {}
+    types = ["string" if choices else said["type"], "null"]
+    text = said.get("description", "").strip() or "As in `deburr.toml`."
+    return {"type": types, "default": None, "scope": "resource", "markdownDescription": text, **choices, **kind}
+
+
+def _json(value: Any) -> str:
+    return json.dumps(value, indent=2, ensure_ascii=False) + "\n"

@@ -1,0 +1,194 @@
+"""A real VS Code without a screen: code-server's workbench in Debian's Chromium, driven as a user would. Knows nothing of deburr's languages."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import time
+import urllib.request
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+from playwright.sync_api import Browser, Locator, Page, sync_playwright
+
+HOME = Path(os.environ.get("DEBURR_EDITORS", Path.home() / ".cache" / "deburr-editors"))
+NODE = HOME / "node24" / "bin"
+CODE = HOME / "code-server" / "node_modules" / "code-server"
+CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
+
+QUIET = {
+    "telemetry.telemetryLevel": "off",
+    "update.mode": "none",
+    "extensions.autoUpdate": False,
+    "extensions.autoCheckUpdates": False,
+    "extensions.ignoreRecommendations": True,
+    "workbench.startupEditor": "none",
+    "workbench.tips.enabled": False,
+    "workbench.enableExperiments": False,
+    "workbench.secondarySideBar.defaultVisibility": "hidden",
+    "chat.disableAIFeatures": True,
+    "git.enabled": False,
+    "typescript.disableAutomaticTypeAcquisition": True,
+    "editor.hover.delay": 100,
+    "files.autoSave": "off",
+    "window.restoreWindows": "none",
+}
+_BROWSER = (
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--disable-dev-shm-usage",
+)
+PATIENCE_MS = 60_000
+
+
+def installed() -> bool:
+    """Whether there is a VS Code and a browser to show it."""
+    return CODE.is_dir() and Path(CHROMIUM).exists()
+
+
+@contextlib.contextmanager
+def code_server(home: Path, vsix: Path, settings: Mapping[str, Any] = {}, *, trust: bool = True) -> Iterator[str]:
+    """The address of a running workbench in which an extension is installed. ``trust``: all folders are trusted without a question."""
+    for place in ("User", "Machine"):
+        (home / "user" / place).mkdir(parents=True, exist_ok=True)
+        (home / "user" / place / "settings.json").write_text(json.dumps({**QUIET, **settings}))
+    (home / "config.yaml").write_text("auth: none\ncert: false\n")
+    base = [str(NODE / "node"), str(CODE), "--config", str(home / "config.yaml")]
+    base += ["--user-data-dir", str(home / "user"), "--extensions-dir", str(home / "extensions")]
+    env = {name: value for name, value in os.environ.items() if not name.startswith("VSCODE_")}
+    # The gallery is off: nothing is looked up outside of this machine.
+    env |= {"PATH": f"{NODE}:{env['PATH']}", "EXTENSIONS_GALLERY": json.dumps({"serviceUrl": ""})}
+    subprocess.run([*base, "--install-extension", str(vsix), "--force"], env=env, check=True, capture_output=True)
+    port = _free_port()
+    flags = ["--bind-addr", f"127.0.0.1:{port}", "--auth", "none", "--disable-telemetry", "--disable-update-check"]
+    flags += ["--disable-proxy", "--disable-getting-started-override", "--ignore-last-opened"]
+    flags += ["--disable-workspace-trust"] if trust else []
+    with (home / "server.log").open("wb") as log:
+        server = subprocess.Popen([*base, *flags], env=env, stdout=log, stderr=log, start_new_session=True)
+    try:
+        _wait_for(f"http://127.0.0.1:{port}/healthz", server, home / "server.log")
+        yield f"http://127.0.0.1:{port}"
+    finally:
+        _stop_group(server)
+
+
+@contextlib.contextmanager
+def browser() -> Iterator[Browser]:
+    """A browser without a screen."""
+    with sync_playwright() as playwright:
+        found = playwright.chromium.launch(executable_path=CHROMIUM, args=_BROWSER)
+        yield found
+        found.close()
+
+
+class Workbench:
+    """One window of VS Code."""
+
+    def __init__(self, page: Page, address: str, folder: Path) -> None:
+        self.page = page
+        self.outside: list[str] = []
+        """Requests that would leave this machine."""
+        self._address = address
+        self._folder = folder
+        page.set_default_timeout(PATIENCE_MS)
+        page.on("request", lambda request: self._asked(request.url))
+
+    def open(self, file: str) -> None:
+        """Open the window with a file of its folder in the editor."""
+        host = self._address.removeprefix("http://")
+        payload = json.dumps([["openFile", f"vscode-remote://{host}{self._folder}/{file}"]])
+        self.page.goto(f"{self._address}/?folder={quote(str(self._folder))}&payload={quote(payload)}")
+        self.page.locator(".monaco-workbench").wait_for()
+        self.editor().locator(".view-line").first.wait_for()
+
+    def editor(self, number: int = 0) -> Locator:
+        """The text of the n-th editor group, from the left."""
+        return self.page.locator(".editor-group-container").nth(number).locator(".editor-instance .monaco-editor").first
+
+    def line(self, text: str, number: int = 0) -> Locator:
+        """The first line with a text in the n-th editor group."""
+        # The workbench shows blanks as no-break spaces.
+        return self.editor(number).locator(".view-line", has_text=text.replace(" ", "\u00a0")).first
+
+    def lines(self, number: int = 0) -> list[str]:
+        """The lines that the n-th editor group shows, from above."""
+        found = self.editor(number).locator(".view-line").evaluate_all(
+            "lines => lines.map(each => [parseFloat(each.style.top), each.textContent])"
+        )
+        return [str(text).replace("\u00a0", " ") for _, text in sorted(found)]
+
+    def command(self, title: str) -> None:
+        """Run a command of the palette. The row is clicked: Enter could still take one of the list before."""
+        self.page.keyboard.press("F1")
+        self.page.locator(".quick-input-widget input").first.fill(f">{title}")
+        self.page.locator(".quick-input-list .monaco-list-row", has_text=title).first.click()
+        self.page.locator(".quick-input-widget").first.wait_for(state="hidden")
+
+    def go_to(self, line: int, column: int = 1) -> None:
+        """Put the cursor into the editor that has the focus; 1-based."""
+        self.page.keyboard.press("Control+g")
+        field = self.page.locator(".quick-input-widget input").first
+        field.fill(f":{line}:{column}")
+        field.press("Enter")
+        self.page.locator(".quick-input-widget").first.wait_for(state="hidden")
+
+    def focus(self, number: int = 0) -> None:
+        """Put the focus into the n-th editor group."""
+        self.page.keyboard.press(f"Control+{number + 1}")
+
+    def until(self, script: str, argument: Any = None) -> None:
+        """Wait until a function in the page says yes."""
+        self.page.wait_for_function(script, arg=argument)
+
+    def _asked(self, url: str) -> None:
+        if url.startswith(("http:", "https:", "ws:", "wss:")) and "//127.0.0.1" not in url:
+            self.outside.append(url)
+
+
+def colours(line: Locator) -> Sequence[tuple[str, str]]:
+    """The stretches of a line and their colour classes, as soon as it is coloured: that comes after the text."""
+    line.locator("span > span:not(.mtk1)").first.wait_for()
+    return [(str(text).replace("\u00a0", " "), str(name)) for text, name in line.locator("span > span").evaluate_all("all => all.map(each => [each.textContent, each.className])")]
+
+
+def _free_port() -> int:
+    with socket.socket() as found:
+        found.bind(("127.0.0.1", 0))
+        return int(found.getsockname()[1])
+
+
+def _wait_for(url: str, server: subprocess.Popen[bytes], log: Path) -> None:
+    for _ in range(300):
+        with contextlib.suppress(OSError), urllib.request.urlopen(url, timeout=1):
+            return
+        if server.poll() is not None:
+            break
+        time.sleep(0.2)
+    raise RuntimeError(log.read_text(errors="replace"))
+
+
+def _stop_group(server: subprocess.Popen[bytes]) -> None:
+    """End the server and all that it started: the extension host outlives its parent otherwise."""
+    for number in (signal.SIGTERM, signal.SIGKILL):
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(server.pid, number)
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                server.wait(8)
+
+
+def npm(folder: Path, *arguments: str) -> str:
+    """What an npm command prints in a folder."""
+    program = shutil.which("npm") or "npm"
+    return subprocess.run([program, *arguments], cwd=folder, check=True, capture_output=True, text=True).stdout

@@ -1,0 +1,10 @@
+"""Starts the bundled language server; run as `python -I serve.py`, so that nothing of the user's environment takes part."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent / "libs"))
+
+from deburr.cli.main import main  # noqa: E402 - the path must be set first
+
+sys.exit(main(["server"]))

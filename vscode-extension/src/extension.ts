@@ -1,0 +1,51 @@
+/** Wires the parts together. Holds no logic of its own. */
+import * as vscode from 'vscode';
+import { ExpandView } from './expandView';
+import { Inputs } from './inputs';
+import { SavedExpansion } from './saved';
+import { Server } from './server';
+import { Status } from './status';
+
+export async function activate(context: vscode.ExtensionContext): Promise<void> {
+  const log = vscode.window.createOutputChannel('deburr', { log: true });
+  const server = new Server(context, log, languagesOf(context));
+  const inputs = new Inputs(context.workspaceState);
+  const view = new ExpandView(server, inputs);
+  const saved = new SavedExpansion(server, inputs);
+  context.subscriptions.push(log, server, view, saved, new Status(server), ...commands(server, view, inputs, saved, log));
+  context.subscriptions.push(
+    vscode.workspace.onDidGrantWorkspaceTrust(() => void server.start()),
+    vscode.workspace.onDidChangeConfiguration((event) => {
+      if (event.affectsConfiguration('deburr.interpreter')) void server.start();
+    }),
+  );
+  await server.start();
+}
+
+function commands(server: Server, view: ExpandView, inputs: Inputs, saved: SavedExpansion, log: vscode.LogOutputChannel): vscode.Disposable[] {
+  const register = vscode.commands.registerCommand;
+  const editor = (act: (editor: vscode.TextEditor) => Promise<unknown>) => async () => {
+    const active = vscode.window.activeTextEditor;
+    if (active) await act(active);
+  };
+  return [
+    // The code lens of the server names the program; the palette means the one that is open.
+    register('deburr.showExpansion', async (uri?: unknown) => {
+      const source = uri instanceof vscode.Uri ? uri : vscode.window.activeTextEditor?.document.uri;
+      if (source) await view.open(source);
+    }),
+    register('deburr.goToSource', editor((active) => view.goToSource(active))),
+    register('deburr.showLines', editor((active) => view.showLines(active))),
+    register('deburr.diffExpansion', editor((active) => saved.compare(active.document.uri))),
+    register('deburr.setInputs', editor(async ({ document }) => (await inputs.ask(document.uri)) && view.refresh())),
+    register('deburr.restart', () => server.start()),
+    register('deburr.showLog', () => log.show()),
+    register('deburr.showVersion', () => vscode.window.showInformationMessage(`${server.info}, on ${server.python || 'no Python'}`)),
+  ];
+}
+
+/** The languages of the manifest that have programs; flat programs have a language for colours only. */
+function languagesOf(context: vscode.ExtensionContext): string[] {
+  const said = context.extension.packageJSON.contributes.languages as { id: string; extensions?: string[] }[];
+  return said.filter((each) => each.extensions).map((each) => each.id);
+}

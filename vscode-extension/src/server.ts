@@ -1,0 +1,144 @@
+/** The language server: found, started, restarted, and never started for a folder that is not trusted. */
+import * as path from 'node:path';
+import * as vscode from 'vscode';
+import { LanguageClient, State, type LanguageClientOptions, type ServerOptions } from 'vscode-languageclient/node';
+import { candidates, choose, type Refusal } from './interpreter';
+import { told } from './settings';
+
+export type Condition = 'starting' | 'running' | 'stopped' | 'untrusted' | 'no Python';
+
+/** One server for the window; `changed` tells of its condition. */
+export class Server implements vscode.Disposable {
+  private client: LanguageClient | undefined;
+  private generation = 0;
+  private readonly conditions = new vscode.EventEmitter<Condition>();
+  readonly changed = this.conditions.event;
+  condition: Condition = 'stopped';
+  python = '';
+
+  constructor(
+    private readonly context: vscode.ExtensionContext,
+    readonly log: vscode.LogOutputChannel,
+    readonly languages: readonly string[],
+  ) {}
+
+  /** Start it, or start it again. */
+  async start(): Promise<void> {
+    const generation = ++this.generation;
+    await this.stop();
+    if (!vscode.workspace.isTrusted) return this.become('untrusted');
+    this.become('starting');
+    const choice = await choose(candidates(this.setting<string[]>('interpreter') ?? [], await ofPythonExtension(), process.platform));
+    if (generation !== this.generation) return;
+    if ('refused' in choice) return this.refuse(choice.refused);
+    this.python = `${choice.found.command.join(' ')} (Python ${choice.version}, ${choice.found.from})`;
+    this.log.info(`the server runs on ${this.python}`);
+    await this.run(choice.found.command);
+  }
+
+  /** Ask the server to do one of its commands; undefined while there is no server. */
+  async execute<T>(command: string, argument: object): Promise<T | undefined> {
+    if (this.client?.state !== State.Running) return undefined;
+    return this.client.sendRequest<T>('workspace/executeCommand', { command, arguments: [argument] });
+  }
+
+  /** What the server says of itself. */
+  get info(): string {
+    const said = this.client?.initializeResult?.serverInfo;
+    return said ? `${said.name} ${said.version ?? ''}`.trim() : this.condition;
+  }
+
+  async stop(): Promise<void> {
+    const client = this.client;
+    this.client = undefined;
+    await client?.dispose().catch((error: unknown) => this.log.warn(`the server did not stop well: ${String(error)}`));
+  }
+
+  dispose(): void {
+    void this.stop();
+  }
+
+  private async run(python: readonly [string, ...string[]]): Promise<void> {
+    const [command, ...first] = python;
+    const script = path.join(this.context.extensionPath, 'bundled', 'serve.py');
+    const options: ServerOptions = { command, args: [...first, '-I', script] };
+    const client = new LanguageClient('deburr', 'deburr', options, this.clientOptions());
+    this.client = client;
+    client.onDidChangeState(({ newState }) => {
+      if (client === this.client) this.become(newState === State.Running ? 'running' : newState === State.Starting ? 'starting' : 'stopped');
+    });
+    try {
+      await client.start();
+    } catch (error) {
+      this.become('stopped');
+      await this.offer(`The language server could not be started: ${String(error)}`);
+    }
+  }
+
+  private clientOptions(): LanguageClientOptions {
+    const schemes = ['file', 'untitled', 'vscode-notebook-cell'];
+    return {
+      documentSelector: this.languages.flatMap((language) => schemes.map((scheme) => ({ scheme, language }))),
+      outputChannel: this.log,
+      initializationOptions: this.told(undefined),
+      middleware: {
+        // The server's code lens asks for the flat program: here it is shown, not only answered.
+        executeCommand: (command, args: unknown[], next) =>
+          command === 'deburr.expand' ? vscode.commands.executeCommand('deburr.showExpansion', uriOf(args)) : next(command, args),
+        workspace: {
+          configuration: (params) => params.items.map((item) => this.told(item.scopeUri ? vscode.Uri.parse(item.scopeUri) : undefined)),
+        },
+      },
+    };
+  }
+
+  /** What the user has set, for a file. */
+  private told(file: vscode.Uri | undefined): Record<string, unknown> {
+    const pages = this.context.extension.packageJSON.contributes.configuration as { properties: Record<string, unknown> }[];
+    const names = pages.flatMap((page) => Object.keys(page.properties)).map((name) => name.slice('deburr.'.length));
+    const configuration = vscode.workspace.getConfiguration('deburr', file);
+    return told(names, (name) => configuration.inspect(name));
+  }
+
+  private setting<T>(name: string): T | undefined {
+    return vscode.workspace.getConfiguration('deburr').get<T>(name);
+  }
+
+  private async refuse(refused: readonly Refusal[]): Promise<void> {
+    this.become('no Python');
+    for (const { candidate, why } of refused) this.log.error(`\`${candidate.command.join(' ')}\` (${candidate.from}) ${why}`);
+    const [first] = refused;
+    const reason = first?.candidate.from === 'setting' ? `\`${first.candidate.command.join(' ')}\` in deburr.interpreter ${first.why}` : 'no Python 3.11 or newer was found';
+    await this.offer(`deburr cannot start: ${reason}.`, 'Open Settings');
+  }
+
+  /** An error with ways out. */
+  private async offer(message: string, ...more: string[]): Promise<void> {
+    const answer = await vscode.window.showErrorMessage(message, ...more, 'Show Log', 'Try Again');
+    if (answer === 'Show Log') this.log.show();
+    if (answer === 'Open Settings') await vscode.commands.executeCommand('workbench.action.openSettings', 'deburr.interpreter');
+    if (answer === 'Try Again') await this.start();
+  }
+
+  private become(condition: Condition): void {
+    this.condition = condition;
+    this.conditions.fire(condition);
+  }
+}
+
+function uriOf([argument]: readonly unknown[]): vscode.Uri | undefined {
+  const said = (argument as { uri?: unknown } | undefined)?.uri;
+  return typeof said === 'string' ? vscode.Uri.parse(said) : undefined;
+}
+
+/** The interpreter that the Python extension has chosen, if it is installed. */
+async function ofPythonExtension(): Promise<string | undefined> {
+  const extension = vscode.extensions.getExtension('ms-python.python');
+  if (!extension) return undefined;
+  try {
+    const api = (await extension.activate()) as { environments?: { getActiveEnvironmentPath(): { path: string } } };
+    return api.environments?.getActiveEnvironmentPath().path;
+  } catch {
+    return undefined;
+  }
+}
