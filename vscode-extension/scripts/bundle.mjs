@@ -1,4 +1,4 @@
-/** Puts the Python server and its pure-Python dependencies under `bundled/`: what runs on a machine with nothing but an interpreter. */
+/** Puts the Python server, its pure-Python dependencies, and a runtime for machines without Python under `bundled/`. */
 import { execFileSync } from 'node:child_process';
 import { cpSync, readdirSync, rmSync } from 'node:fs';
 import path from 'node:path';
@@ -17,4 +17,8 @@ execFileSync(
 rmSync(path.join(libs, 'bin'), { recursive: true, force: true });
 const compiled = readdirSync(libs, { recursive: true }).filter((name) => /\.(so|pyd|dylib)$/.test(String(name)));
 if (compiled.length > 0) throw new Error(`the bundle must be pure Python, but holds ${compiled.join(', ')}`);
+const runtime = path.join(here, 'node_modules', 'pyodide');
+for (const name of ['pyodide.mjs', 'pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide-lock.json', 'python_stdlib.zip']) {
+  cpSync(path.join(runtime, name), path.join(here, 'bundled', 'pyodide', name));
+}
 cpSync(path.join(path.dirname(here), 'LICENSE'), path.join(here, 'LICENSE'), { force: true });

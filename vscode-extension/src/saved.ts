@@ -1,6 +1,5 @@
 /** What an edit does to the flat program: the expansion of the saved or the committed text beside that of the open one. */
 import * as vscode from 'vscode';
-import { decoded } from './text';
 import { LANGUAGE, type Values } from './expandView';
 import type { Expanded } from './preview';
 import type { Server } from './server';
@@ -43,7 +42,7 @@ export class SavedExpansion implements vscode.TextDocumentContentProvider, vscod
   /** The text to compare with; where the file is under version control, the user chooses. */
   private async older(source: vscode.Uri): Promise<{ name: string; text: string } | undefined> {
     const committed = await committedText(source);
-    const saved = { label: 'saved file', text: async () => decoded(await vscode.workspace.fs.readFile(source)) };
+    const saved = { label: 'saved file', text: async () => vscode.workspace.decode(await vscode.workspace.fs.readFile(source), { uri: source }) };
     if (committed === undefined) return { name: saved.label, text: await saved.text() };
     const chosen = await vscode.window.showQuickPick([saved, { label: 'committed file', text: async () => committed }]);
     return chosen && { name: chosen.label, text: await chosen.text() };

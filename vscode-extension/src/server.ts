@@ -5,6 +5,8 @@ import { LanguageClient, State, type LanguageClientOptions, type ServerOptions }
 import { candidates, choose, type Refusal } from './interpreter';
 import { told } from './settings';
 
+/** What the server may run on: whatever there is, only a Python of the machine, only what comes with the extension. */
+export type Mode = 'auto' | 'python' | 'bundled';
 export type Condition = 'starting' | 'running' | 'stopped' | 'untrusted' | 'no Python';
 
 /** One server for the window; `changed` tells of its condition. */
@@ -28,12 +30,19 @@ export class Server implements vscode.Disposable {
     await this.stop();
     if (!vscode.workspace.isTrusted) return this.become('untrusted');
     this.become('starting');
-    const choice = await choose(candidates(this.setting<string[]>('interpreter') ?? [], await ofPythonExtension(), process.platform));
+    const interpreter = this.setting<string[]>('interpreter') ?? [];
+    const mode = this.setting<Mode>('server') ?? 'auto';
+    const choice = mode === 'bundled' ? { refused: [] } : await choose(candidates(interpreter, await ofPythonExtension(), process.platform));
     if (generation !== this.generation) return;
-    if ('refused' in choice) return this.refuse(choice.refused);
-    this.python = `${choice.found.command.join(' ')} (Python ${choice.version}, ${choice.found.from})`;
-    this.log.info(`the server runs on ${this.python}`);
-    await this.run(choice.found.command);
+    if ('found' in choice) {
+      this.python = `${choice.found.command.join(' ')} (Python ${choice.version}, ${choice.found.from})`;
+      return this.run(this.onPython(choice.found.command));
+    }
+    for (const { candidate, why } of choice.refused) this.log.warn(`\`${candidate.command.join(' ')}\` (${candidate.from}) ${why}`);
+    // A setting that names a Python is meant: a mistake in it is said, and nothing else is run in its place.
+    if (mode === 'python' || (mode === 'auto' && interpreter.length > 0)) return this.refuse(choice.refused);
+    this.python = 'the bundled runtime';
+    return this.run(this.onBundled());
   }
 
   /** Ask the server to do one of its commands; undefined while there is no server. */
@@ -58,10 +67,21 @@ export class Server implements vscode.Disposable {
     void this.stop();
   }
 
-  private async run(python: readonly [string, ...string[]]): Promise<void> {
-    const [command, ...first] = python;
-    const script = path.join(this.context.extensionPath, 'bundled', 'serve.py');
-    const options: ServerOptions = { command, args: [...first, '-I', script] };
+  private onPython([command, ...first]: readonly [string, ...string[]]): ServerOptions {
+    return { command, args: [...first, '-I', this.bundled('serve.py')] };
+  }
+
+  /** Python in WebAssembly, run by the editor's own Node: slower to start, but always there. */
+  private onBundled(): ServerOptions {
+    return { command: process.execPath, args: [this.bundled('pyodide.mjs')], options: { env: { ...process.env, ELECTRON_RUN_AS_NODE: '1' } } };
+  }
+
+  private bundled(name: string): string {
+    return path.join(this.context.extensionPath, 'bundled', name);
+  }
+
+  private async run(options: ServerOptions): Promise<void> {
+    this.log.info(`the server runs on ${this.python}`);
     const client = new LanguageClient('deburr', 'deburr', options, this.clientOptions());
     this.client = client;
     client.onDidChangeState(({ newState }) => {
@@ -106,7 +126,6 @@ export class Server implements vscode.Disposable {
 
   private async refuse(refused: readonly Refusal[]): Promise<void> {
     this.become('no Python');
-    for (const { candidate, why } of refused) this.log.error(`\`${candidate.command.join(' ')}\` (${candidate.from}) ${why}`);
     const [first] = refused;
     const reason = first?.candidate.from === 'setting' ? `\`${first.candidate.command.join(' ')}\` in deburr.interpreter ${first.why}` : 'no Python 3.11 or newer was found';
     await this.offer(`deburr cannot start: ${reason}.`, 'Open Settings');

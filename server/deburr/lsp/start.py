@@ -40,18 +40,35 @@ def met_on(stream: Stream, frames: Frames) -> Met | None:
     while data := stream.receive():
         bodies = frames.feed(data)
         for body in bodies:
-            message = parsed(body)
-            if not isinstance(message, dict):
-                stream.write(error_for(None, PARSE_ERROR, "a message must be a JSON object"))
-            elif message.get("method") == "initialize" and "id" in message:
-                client = client_of(message.get("params"))
-                stream.write(_response(message["id"], {"result": answer(client)}))
-                return Met(client, tuple(bodies))
-            elif message.get("method") == "exit":
+            said = answered(body)
+            if said.reply:
+                stream.write(said.reply)
+            if said.client is not None:
+                return Met(said.client, tuple(bodies))
+            if said.over:
                 return None
-            elif "id" in message and "method" in message:
-                stream.write(error_for(message["id"], NOT_INITIALIZED, "`initialize` must come first"))
     return None
+
+
+class Answer(NamedTuple):
+    """What a message before the server's start leads to: a reply, the client that has come, the end."""
+
+    reply: bytes = b""
+    client: Client | None = None
+    over: bool = False
+
+
+def answered(body: bytes) -> Answer:
+    """What to do with a message as long as no client has come."""
+    message = parsed(body)
+    if not isinstance(message, dict):
+        return Answer(error_for(None, PARSE_ERROR, "a message must be a JSON object"))
+    if message.get("method") == "initialize" and "id" in message:
+        client = client_of(message.get("params"))
+        return Answer(_response(message["id"], {"result": answer(client)}), client)
+    if "id" in message and "method" in message:
+        return Answer(error_for(message["id"], NOT_INITIALIZED, "`initialize` must come first"))
+    return Answer(over=message.get("method") == "exit")
 
 
 def parsed(body: bytes) -> Any:
