@@ -324,3 +324,12 @@ def test_progress_of_a_long_run_is_shown_and_can_be_cancelled() -> None:
             inside.notify("window/workDoneProgress/cancel", {"token": token})
             assert inside.wait(partial(_answers, number))["error"]["code"] == -32800
             assert inside.wait(lambda each: each.get("params", {}).get("value", {}).get("kind") == "end")
+
+
+def test_an_older_text_is_expanded_as_if_it_stood_there(tmp_path: Path) -> None:
+    (tmp_path / "drill.ngc").write_text("o<drill> sub\nG0 X#1\no<drill> endsub\n")
+    uri = (tmp_path / "main.ngc").as_uri()
+    with Inside() as inside:
+        inside.open(uri, "o<drill> call [5]\nM2\n", "rs274")
+        assert expand(inside, uri, text="o<drill> call [7]\nM2\n")["text"] == "G0 X7\nM2\n"
+        assert expand(inside, uri)["text"] == "G0 X5\nM2\n"

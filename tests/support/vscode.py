@@ -124,8 +124,10 @@ class Workbench:
 
     def lines(self, number: int = 0) -> list[str]:
         """The lines that the n-th editor group shows, from above."""
-        found = self.editor(number).locator(".view-line").evaluate_all(
-            "lines => lines.map(each => [parseFloat(each.style.top), each.textContent])"
+        found = (
+            self.editor(number)
+            .locator(".view-line")
+            .evaluate_all("lines => lines.map(each => [parseFloat(each.style.top), each.textContent])")
         )
         return [str(text).replace("\u00a0", " ") for _, text in sorted(found)]
 
@@ -160,7 +162,12 @@ class Workbench:
 def colours(line: Locator) -> Sequence[tuple[str, str]]:
     """The stretches of a line and their colour classes, as soon as it is coloured: that comes after the text."""
     line.locator("span > span:not(.mtk1)").first.wait_for()
-    return [(str(text).replace("\u00a0", " "), str(name)) for text, name in line.locator("span > span").evaluate_all("all => all.map(each => [each.textContent, each.className])")]
+    return [
+        (str(text).replace("\u00a0", " "), str(name))
+        for text, name in line.locator("span > span").evaluate_all(
+            "all => all.map(each => [each.textContent, each.className])"
+        )
+    ]
 
 
 def _free_port() -> int:

@@ -1,6 +1,7 @@
 """What the VS Code extension contributes for the dialects: the part of its manifest that is made from their values. Never touches the rest."""
 
 import json
+from collections.abc import Iterator
 from typing import Any
 
 from deburr.dev.editor import configuration, editor_of, textmate
@@ -71,15 +72,21 @@ def _grammar(name: str) -> dict[str, Any]:
 
 def _settings(schema: dict[str, Any]) -> list[dict[str, Any]]:
     """One page of settings for each table of `deburr.toml`. Nothing has a default: what is not set is the configuration file's."""
-    tables = {name: said for name, said in schema["properties"].items() if said.get("type") == "object"}
+    tables = {name: said for name, said in schema["properties"].items() if said.get("properties")}
     return [
-        {
-            "title": _title(table),
-            "properties": {f"deburr.{table}.{key}": _setting(value) for key, value in keys.items()},
-        }
+        {"title": _title(table), "properties": dict(_of_table(f"deburr.{table}", said))}
         for table, said in tables.items()
-        if (keys := said.get("properties", {}))
     ]
+
+
+def _of_table(path: str, said: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
+    """The settings of a table and of those in it; a table whose keys hold dots, as rules do, is one setting."""
+    for key, value in said["properties"].items():
+        inside = value.get("properties", {})
+        if inside and not any("." in name for name in inside):
+            yield from _of_table(f"{path}.{key}", value)
+        else:
+            yield f"{path}.{key}", _setting(value)
 
 
 def _title(table: str) -> str:

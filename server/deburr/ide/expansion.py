@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Iterable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
@@ -10,6 +11,7 @@ from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive, interp
 from deburr.finding import Severity
 from deburr.ran import before_a_run, merged, worded
 from deburr.source import eol_of
+from deburr_grammar.document import Document
 from deburr_grammar.text import split_lines
 
 if TYPE_CHECKING:
@@ -56,6 +58,12 @@ def expanding(
         tuple(merged(found, met)),
         job.cut,
     )
+
+
+def instead(view: View, text: str) -> View:
+    """The program with another text in its place: an older version of it, say."""
+    given = view.dialect.given(view.ruleset.settings, view.host.read)
+    return replace(view, document=Document.parse(text, view.dialect, given=given))
 
 
 def _wrong(findings: Iterable[Finding]) -> bool:

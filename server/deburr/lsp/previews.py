@@ -16,7 +16,7 @@ from pygls.exceptions import JsonRpcInvalidParams
 from deburr.expand import Budget, Inputs
 from deburr.expand.job import EXACT
 from deburr.host import NoFiles
-from deburr.ide.expansion import Expanded, expanding
+from deburr.ide.expansion import Expanded, expanding, instead
 from deburr.lsp.capabilities import EXPANDED
 from deburr.lsp.convert import uri_to_file
 from deburr.lsp.progress import Progress
@@ -45,6 +45,8 @@ class Wanted(NamedTuple):
     decimals: int | None = None
     budget: Budget = Budget()
     settings: tuple[tuple[str, str], ...] = ()
+    text: str | None = None
+    """What stands in place of the first program's own text."""
 
     @property
     def inputs(self) -> Inputs:
@@ -66,6 +68,7 @@ class Previews:
         self._made: dict[Wanted, _Made] = {}
         self._served: dict[str, tuple[Wanted, frozenset[str], Needs | None]] = {}
         self._numbers = count(1)
+        self._instead: tuple[View, str, View] | None = None
 
     async def expanded(self, wanted: Wanted, token: int | str | None = None) -> Expanded | None:
         """Expand programs between messages; None if one is none. An edit of one of them makes the run start again with what is there then."""
@@ -140,6 +143,8 @@ class Previews:
         views = tuple(view for view in found if view is not None)
         if len(views) < len(found) or len({view.dialect.name for view in views}) != 1:
             return None
+        if wanted.text is not None:
+            views = (self._with_text(views[0], wanted.text), *views[1:])
         if not wanted.settings:
             return views
         given = [self._server.session.given(view, wanted.settings) for view in views]
@@ -147,6 +152,13 @@ class Previews:
             names = " and ".join(f"`{name}`" for name, _ in wanted.settings)
             raise JsonRpcInvalidParams(f"{names}: {views[0].dialect.title} programs have no such input")
         return tuple(view for view in given if view is not None)
+
+    def _with_text(self, view: View, text: str) -> View:
+        """The program with another text; the same as long as both are the same, because a run asks again and again."""
+        kept = self._instead
+        if kept is None or kept[0] is not view or kept[1] != text:
+            kept = self._instead = view, text, instead(view, text)
+        return kept[2]
 
     def _keep(self, wanted: Wanted, made: _Made) -> None:
         self._made.pop(wanted, None)
@@ -158,7 +170,7 @@ class Previews:
 
 def wanted_by(said: Mapping[str, Any]) -> Wanted:
     """What the arguments of `deburr.expand` ask for; JsonRpcInvalidParams names what cannot be used."""
-    known = {"uri", "with", "define", "input", "maxBlocks", "maxSteps", "blockDelete", "machineValues", "keepN", "decimals", "position", "program"}  # fmt: skip
+    known = {"uri", "with", "define", "input", "maxBlocks", "maxSteps", "blockDelete", "machineValues", "keepN", "decimals", "position", "program", "text"}  # fmt: skip
     if unknown := sorted(set(said) - known):
         raise JsonRpcInvalidParams(f"`{unknown[0]}` is no argument; there are {', '.join(sorted(known))}")
     limits = Budget()
@@ -171,6 +183,7 @@ def wanted_by(said: Mapping[str, Any]) -> Wanted:
         decimals=EXACT if said.get("decimals") == "exact" else _of(said, "decimals", int, None),
         budget=Budget(_of(said, "maxSteps", int, limits.steps), _of(said, "maxBlocks", int, limits.blocks)),
         settings=(("input", uri_to_file(_of(said, "input", str, ""))),) if said.get("input") else (),
+        text=_of(said, "text", str, None),
     )
 
 
