@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import shutil
 import signal
 import socket
 import subprocess
@@ -17,6 +16,7 @@ from typing import Any
 from urllib.parse import quote
 
 from playwright.sync_api import Browser, Locator, Page, sync_playwright
+from playwright.sync_api import TimeoutError as PlaywrightTimeout
 
 HOME = Path(os.environ.get("DEBURR_EDITORS", Path.home() / ".cache" / "deburr-editors"))
 NODE = HOME / "node24" / "bin"
@@ -59,8 +59,13 @@ def installed() -> bool:
 
 
 @contextlib.contextmanager
-def code_server(home: Path, vsix: Path, settings: Mapping[str, Any] = {}, *, trust: bool = True) -> Iterator[str]:
-    """The address of a running workbench in which an extension is installed. ``trust``: all folders are trusted without a question."""
+def code_server(
+    home: Path, vsix: Path, settings: Mapping[str, Any] = {}, *, trust: bool = True, path: str = ""
+) -> Iterator[str]:
+    """The address of a running workbench in which an extension is installed.
+
+    ``trust``: all folders are trusted without a question. ``path``: the PATH of its extensions, if not that of the tests.
+    """
     for place in ("User", "Machine"):
         (home / "user" / place).mkdir(parents=True, exist_ok=True)
         (home / "user" / place / "settings.json").write_text(json.dumps({**QUIET, **settings}))
@@ -69,7 +74,10 @@ def code_server(home: Path, vsix: Path, settings: Mapping[str, Any] = {}, *, tru
     base += ["--user-data-dir", str(home / "user"), "--extensions-dir", str(home / "extensions")]
     env = {name: value for name, value in os.environ.items() if not name.startswith("VSCODE_")}
     # The gallery is off: nothing is looked up outside of this machine.
-    env |= {"PATH": f"{NODE}:{env['PATH']}", "EXTENSIONS_GALLERY": json.dumps({"serviceUrl": ""})}
+    env |= {"PATH": f"{NODE}:{path or env['PATH']}", "EXTENSIONS_GALLERY": json.dumps({"serviceUrl": ""})}
+    if path:
+        # Otherwise the PATH of a login shell would be taken; this one says nothing.
+        env["SHELL"] = "/bin/true"
     subprocess.run([*base, "--install-extension", str(vsix), "--force"], env=env, check=True, capture_output=True)
     port = _free_port()
     flags = ["--bind-addr", f"127.0.0.1:{port}", "--auth", "none", "--disable-telemetry", "--disable-update-check"]
@@ -131,20 +139,36 @@ class Workbench:
         )
         return [str(text).replace("\u00a0", " ") for _, text in sorted(found)]
 
-    def command(self, title: str) -> None:
-        """Run a command of the palette. The row is clicked: Enter could still take one of the list before."""
+    def command(self, title: str, *, asks: bool = False) -> None:
+        """Run a command of the palette; ``asks``: it goes on with a question there. The row is clicked: Enter could still take one of the list before."""
         self.page.keyboard.press("F1")
         self.page.locator(".quick-input-widget input").first.fill(f">{title}")
         self.page.locator(".quick-input-list .monaco-list-row", has_text=title).first.click()
-        self.page.locator(".quick-input-widget").first.wait_for(state="hidden")
+        if not asks:
+            self.page.locator(".quick-input-widget").first.wait_for(state="hidden")
+
+    def hover(self) -> Locator:
+        """What is said of the word under the cursor. A busy editor takes the box away again, so it is asked for until it stays."""
+        found = self.page.locator(".monaco-hover:visible").first
+        for _ in range(10):
+            self.command("Show or Focus Hover")
+            with contextlib.suppress(PlaywrightTimeout):
+                found.wait_for(timeout=PATIENCE_MS / 10)
+                break
+        return found
+
+    def answer(self, text: str) -> None:
+        """Answer the question that a command asks at the top of the window."""
+        box = self.page.locator(".quick-input-widget").first
+        field = box.locator("input").first
+        field.fill(text)
+        field.press("Enter")
+        box.wait_for(state="hidden")
 
     def go_to(self, line: int, column: int = 1) -> None:
         """Put the cursor into the editor that has the focus; 1-based."""
         self.page.keyboard.press("Control+g")
-        field = self.page.locator(".quick-input-widget input").first
-        field.fill(f":{line}:{column}")
-        field.press("Enter")
-        self.page.locator(".quick-input-widget").first.wait_for(state="hidden")
+        self.answer(f":{line}:{column}")
 
     def focus(self, number: int = 0) -> None:
         """Put the focus into the n-th editor group."""
@@ -193,9 +217,3 @@ def _stop_group(server: subprocess.Popen[bytes]) -> None:
             os.killpg(server.pid, number)
             with contextlib.suppress(subprocess.TimeoutExpired):
                 server.wait(8)
-
-
-def npm(folder: Path, *arguments: str) -> str:
-    """What an npm command prints in a folder."""
-    program = shutil.which("npm") or "npm"
-    return subprocess.run([program, *arguments], cwd=folder, check=True, capture_output=True, text=True).stdout

@@ -1,0 +1,211 @@
+"""A real VS Code with the packaged extension: what a user sees of each dialect, and what happens when something is missing or breaks."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+
+from playwright.sync_api import Browser, expect
+
+from support import vscode
+from support.editors import TASKS, Task, written
+from support.vscode import Workbench, browser, code_server, colours
+
+expect.set_options(timeout=vscode.PATIENCE_MS)
+pytestmark = pytest.mark.skipif(not vscode.installed(), reason="there is no VS Code here; .ci/vscode installs one")
+
+
+@pytest.fixture(scope="module")
+def window() -> Iterator[Browser]:
+    with browser() as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def trusted(vsix: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    with code_server(tmp_path_factory.mktemp("code"), vsix) as address:
+        yield address
+
+
+@contextmanager
+def workbench(window: Browser, address: str, folder: Path, name: str) -> Iterator[Workbench]:
+    """A window of VS Code; how it looked at the end is kept where `DEBURR_PICTURES` says."""
+    page = window.new_page(viewport={"width": 1400, "height": 850})
+    try:
+        yield Workbench(page, address, folder)
+    finally:
+        if kept := os.environ.get("DEBURR_PICTURES"):
+            page.screenshot(path=f"{kept}/{name}.png")
+        page.close()
+
+
+@pytest.mark.parametrize("task", TASKS, ids=lambda task: task.dialect)
+def test_a_program_is_read_mended_and_expanded(task: Task, window: Browser, trusted: str, tmp_path: Path) -> None:
+    written(task, tmp_path)
+    with workbench(window, trusted, tmp_path, task.dialect) as opened:
+        page = opened.page
+        opened.open(task.main)
+        row = int(task.error[0].partition(":")[0])
+        faulty = task.files[task.main].split("\n")[row - 1]
+
+        assert len({name for _, name in colours(opened.line(faulty))}) > 1, "the line is coloured"
+        expect(opened.editor().locator(".squiggly-error").first).to_be_attached()
+
+        opened.command("Problems: Focus on Problems View")
+        expect(page.locator(".markers-panel .monaco-list-row", has_text=task.error[1])).to_be_visible()
+
+        opened.focus()
+        opened.go_to(*place(task, task.fault))
+        page.keyboard.press("Control+.")
+        page.locator(".action-widget .monaco-list-row", has_text=task.action).first.wait_for()
+        page.keyboard.press("Enter")
+        opened.line(task.mended).wait_for()
+        expect(opened.editor().locator(".squiggly-error")).to_have_count(0)
+
+        opened.go_to(*place(task, task.hover[0], task.mended))
+        hover = opened.hover()
+        for word in task.hover[1]:
+            expect(hover).to_contain_text(word)
+        page.keyboard.press("Escape")
+
+        if task.define:
+            opened.command("deburr: Set Values for the Expansion", asks=True)
+            page.locator(".quick-input-widget", has_text="As on the command line").wait_for()
+            opened.answer(task.define.replace("Hand", "Side"))
+        opened.command("deburr: Show Expanded Program")
+        for line in task.flat:
+            opened.line(line, 1).wait_for()
+        assert [line for line in opened.lines(1) if line] == task.flat
+
+        opened.focus()
+        opened.go_to(*place(task, task.from_to[0], task.mended))
+        marked = ".view-overlays .cdr.wordHighlight, .view-overlays [class*='ced-']"
+        opened.editor(1).locator(marked).first.wait_for(state="attached")
+        assert task.from_to[1] in marked_rows(opened, 1)
+
+        opened.focus(1)
+        opened.go_to(task.back[0])
+        opened.command("deburr: Go to Source of This Line")
+        file, _, line = task.back[1].partition(":")
+        expect(page.locator(".tab.active", has_text=file).first).to_be_visible()
+        expect(page.locator("#status\\.editor\\.selection")).to_have_text(re.compile(rf"Ln {line}, "))
+        assert opened.outside == []
+
+
+def place(task: Task, text: str, mended: str = "") -> tuple[int, int]:
+    """Where a text first stands in the program of a task, or in the mended one; 1-based."""
+    lines = task.files[task.main].split("\n")
+    if mended:
+        lines[int(task.error[0].partition(":")[0]) - 1] = mended
+    row = next(number for number, line in enumerate(lines) if text in line)
+    return row + 1, lines[row].index(text) + 1
+
+
+def marked_rows(opened: Workbench, number: int) -> list[int]:
+    """The rows of an editor group that are marked as belonging to the cursor on the other side; 1-based."""
+    tops = opened.editor(number).evaluate(
+        """editor => {
+            const marked = [...editor.querySelectorAll('.view-overlays > div')].filter(each => each.querySelector("[class*='ced-']"));
+            const lines = [...editor.querySelectorAll('.view-line')].map(each => parseFloat(each.style.top)).sort((a, b) => a - b);
+            return marked.map(each => lines.indexOf(parseFloat(each.style.top)) + 1);
+        }"""
+    )
+    return [int(row) for row in tops]
+
+
+def test_the_server_is_started_again_with_the_text_as_it_is(window: Browser, trusted: str, tmp_path: Path) -> None:
+    (tmp_path / "a.ngc").write_text("G21 G90\nM2\n")
+    with workbench(window, trusted, tmp_path, "restart") as opened:
+        opened.open("a.ngc")
+        expect(
+            opened.page.locator(
+                "#status\\.deburr, [id='deburr.deburr.deburr'], .statusbar-item", has_text="deburr"
+            ).first
+        ).to_be_visible()
+        opened.focus()
+        opened.page.keyboard.type("o1 cal\n")
+        opened.editor().locator(".squiggly-error").first.wait_for(state="attached")
+        for server in servers(tmp_path):
+            os.kill(server, signal.SIGKILL)
+        opened.page.wait_for_timeout(1500)
+        opened.page.keyboard.type("o2 cal\n")
+        expect(opened.editor().locator(".squiggly-error")).to_have_count(2)
+
+
+def servers(folder: Path) -> list[int]:
+    """The language servers that are running from an extension of these tests."""
+    said = subprocess.run(["ps", "-eo", "pid,args"], capture_output=True, text=True, check=True).stdout
+    root = folder.parent.parent if folder.name else folder
+    return [int(line.split()[0]) for line in said.split("\n") if "bundled/serve.py" in line and str(root) in line]
+
+
+def test_without_trust_there_are_colours_only(vsix: Path, window: Browser, tmp_path: Path) -> None:
+    (tmp_path / "job").mkdir()
+    (tmp_path / "job" / "a.ngc").write_text("o1 cal\nM2\n")
+    settings = {"security.workspace.trust.startupPrompt": "never"}
+    with (
+        code_server(tmp_path / "code", vsix, settings, trust=False) as address,
+        workbench(window, address, tmp_path / "job", "untrusted") as opened,
+    ):
+        opened.open("a.ngc")
+        assert colours(opened.line("o1 cal"))
+        expect(opened.page.locator(".statusbar-item", has_text="Restricted Mode").first).to_be_visible()
+        opened.page.wait_for_timeout(3000)
+        assert opened.editor().locator(".squiggly-error").count() == 0
+        assert servers(tmp_path) == []
+
+
+def test_without_python_the_bundled_runtime_serves(vsix: Path, window: Browser, tmp_path: Path) -> None:
+    (tmp_path / "job").mkdir()
+    (tmp_path / "job" / "a.ngc").write_text("#1=0\no1 repeat [2]\n  #1=[#1+5]\n  G0 X#1\no1 endrepeat\nM2\n")
+    with (
+        code_server(tmp_path / "code", vsix, path=without_python(tmp_path / "bin")) as address,
+        workbench(window, address, tmp_path / "job", "no-python") as opened,
+    ):
+        opened.open("a.ngc")
+        opened.command("deburr: Show Expanded Program")
+        opened.line("G0 X10", 1).wait_for()
+        opened.focus()
+        opened.go_to(6)
+        opened.page.keyboard.type("o1 cal\n")
+        opened.editor().locator(".squiggly-error").first.wait_for(state="attached")
+        opened.command("deburr: Show Version")
+        opened.command("Notifications: Show Notifications")
+        expect(
+            opened.page.locator(".notification-list-item-message", has_text="the bundled runtime").first
+        ).to_be_visible()
+
+
+def without_python(folder: Path) -> str:
+    """A PATH on which there is a shell and no Python."""
+    folder.mkdir()
+    for name in ("sh", "bash", "env", "uname", "ps", "cat", "getconf", "sed", "which", "dirname"):
+        found = next((each for each in (Path("/bin") / name, Path("/usr/bin") / name) if each.exists()), None)
+        if found:
+            (folder / name).symlink_to(found)
+    return str(folder)
+
+
+def test_a_broken_setting_is_said_with_a_way_out(vsix: Path, window: Browser, tmp_path: Path) -> None:
+    (tmp_path / "job").mkdir()
+    (tmp_path / "job" / "a.ngc").write_text("M2\n")
+    settings = {"deburr.interpreter": ["/no/such/python"]}
+    with (
+        code_server(tmp_path / "code", vsix, settings) as address,
+        workbench(window, address, tmp_path / "job", "broken-setting") as opened,
+    ):
+        opened.open("a.ngc")
+        toast = opened.page.locator(
+            ".notification-toast", has_text="`/no/such/python` in deburr.interpreter is not there"
+        )
+        expect(toast).to_be_visible()
+        expect(toast.get_by_role("button", name="Open Settings")).to_be_visible()
