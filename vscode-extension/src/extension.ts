@@ -8,7 +8,10 @@ import { Status } from './status';
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
   const log = vscode.window.createOutputChannel('deburr', { log: true });
-  const server = new Server(context, log, languagesOf(context));
+  const languages = languagesOf(context);
+  // The manifest's menus ask for it, so that no list of languages stands there.
+  await vscode.commands.executeCommand('setContext', 'deburr.languages', languages);
+  const server = new Server(context, log, languages);
   const inputs = new Inputs(context.workspaceState);
   const view = new ExpandView(server, inputs);
   const saved = new SavedExpansion(server, inputs);

@@ -16,7 +16,8 @@ _PLACE = re.compile(r"\{([a-z]+)\}")
 def editor_of(dialect: Dialect) -> dict[str, Any]:
     """The dialect's `editor.toml`, the names of its tables put in."""
     text = files(dialect.package).joinpath("editor.toml").read_text(encoding="utf-8")
-    return _filled(tomllib.loads(text), dialect.codes)
+    found: dict[str, Any] = _filled(tomllib.loads(text), dialect.codes)
+    return found
 
 
 def textmate(dialect: Dialect) -> dict[str, Any]:

@@ -94,11 +94,11 @@ def _title(table: str) -> str:
 
 
 def _setting(said: dict[str, Any]) -> dict[str, Any]:
-    kind = {key: said[key] for key in ("items", "additionalProperties") if key in said}
+    kind: dict[str, Any] = {key: said[key] for key in ("items", "additionalProperties") if key in said}
     if said.get("properties"):
         # One line for each rule would be most of the manifest; which names there are, the server says.
         kind["additionalProperties"] = next(iter(said["properties"].values()))
-    choices = {"enum": [*said["enum"], None]} if "enum" in said else {}
+    choices: dict[str, Any] = {"enum": [*said["enum"], None]} if "enum" in said else {}
     types = ["string" if choices else said["type"], "null"]
     text = said.get("description", "").strip() or "As in `deburr.toml`."
     return {"type": types, "default": None, "scope": "resource", "markdownDescription": text, **choices, **kind}
