@@ -141,10 +141,14 @@ class Run:
         return (lambda: behind) if passed else advanced(self._flow, unit, row, node)
 
     def _where(self) -> str:
-        """The innermost loop and what it depends on, in the user's words."""
+        """The innermost loop and what it depends on, or the jump or call that led here, in the user's words."""
         loop, frame, unit = self._state.loop, self._state.frame, self._state.program.unit
-        if loop is None or frame is None or frame.kind is not Entered.LOOP:
+        if frame is None:
             return ""
+        if loop is None or frame.kind is not Entered.LOOP:
+            jumped = frame.kind is Entered.JUMP or not self._state.calls
+            said = unit.document.line(frame.row).strip() if jumped else self._state.calls[-1].said
+            return f"what `{said}` of line {frame.row + 1} {'jumps to' if jumped else 'calls'}"
         row = unit.jumps_back[loop.first]
         text = unit.document.line(row).strip()
         return f"pass {frame.number:,} of the loop from line {loop.first + 1} to `{text}` of line {row + 1}{self._last_values(unit, row)}"
