@@ -141,23 +141,71 @@ def test_linked_labels(language: str, text: str, at: tuple[int, int], lines: lis
         assert [each["start"]["line"] for each in (found or {"ranges": []})["ranges"]] == lines
 
 
-def look_up(inside: Inside, uri: str, line: int) -> Any:
-    arguments = [{"uri": uri, "position": {"line": line, "character": 0}}]
+def look_up(inside: Inside, uri: str, line: int, **more: Any) -> Any:
+    arguments = [{"uri": uri, "position": {"line": line, "character": 0}, **more}]
     return inside.request("workspace/executeCommand", {"command": "deburr.sourceMap", "arguments": arguments})
+
+
+def whole(line: int, length: int) -> Any:
+    return {"start": {"line": line, "character": 0}, "end": {"line": line, "character": length}}
 
 
 def test_from_a_source_line_to_its_flat_lines_and_back(tmp_path: Path) -> None:
     main = (tmp_path / "main.ngc").as_uri()
     with Inside() as inside:
-        inside.open(main, "G21 G90\no1 repeat [2]\nG0 X1\nG0 X2\no1 endrepeat\nM2\n", "rs274")
+        inside.open(main, "G21 G90\no1 repeat [2]\nG0 X1\n(😋) G0 X2\no1 endrepeat\nM2\n", "rs274")
         there = look_up(inside, main, 3)
         assert there["uri"] == f"deburr-expanded:{tmp_path}/main.ngc"
-        rows = [each["range"]["start"]["line"] for each in there["ranges"]]
-        assert len(rows) == 2
-        back = look_up(inside, there["uri"], rows[1])
+        # The flat program: G21 G90, X1, X2, X1, X2, M2; the smile has two units.
+        assert [each["range"] for each in there["ranges"]] == [whole(2, 10), whole(4, 10)]
+        assert [[frame["number"] for frame in each["frames"]] for each in there["ranges"]] == [[1], [2]]
+        back = look_up(inside, there["uri"], 4)
         assert back["uri"] == main
-        assert back["ranges"][0]["range"]["start"]["line"] == 3
-        assert [(each["kind"], each["number"], each["row"]) for each in back["ranges"][0]["frames"]] == [("loop", 2, 1)]
+        (origin,) = back["ranges"]
+        assert origin["range"] == whole(3, 10)
+        assert [(each["kind"], each["number"], each["uri"], each["range"]) for each in origin["frames"]] == [
+            ("loop", 2, main, whole(1, 13))
+        ]
         assert look_up(inside, there["uri"], 999)["ranges"] == []
+        assert look_up(inside, main, 4)["ranges"] == []
         bad = {"command": "deburr.sourceMap", "arguments": [{"uri": main}]}
         assert inside.request("workspace/executeCommand", bad)["code"] == -32602
+
+
+@pytest.mark.parametrize(
+    ("language", "name", "text", "part", "part_text", "line", "flat", "frames"),
+    [
+        ("metagcode", "main.mgc", "#FILE part\nG0\n#FILE part\n", "Snippets/part", "G1 X1\nG1 X2\n", 1, [1, 4], [["file"], ["file"]]),
+        ("rs274", "main.ngc", "G21 G90\no<s> call\no<s> call\nM2\n", "s.ngc", "o<s> sub\nG0 X1\no<s> endsub\n", 1, [1, 2], [["call"], ["call"]]),
+        ("z32", "main.z32", "(P)\n!:L254-A!\nX<PI>\nM30\n", "root/A.z32", "G1 X1\nG26\n", 0, [1], [["file"]]),
+    ],
+)  # fmt: skip
+def test_from_a_line_of_a_snippet_or_subprogram_to_the_flat_lines_of_its_program(
+    tmp_path: Path, language: str, name: str, text: str, part: str, part_text: str, line: int, flat: list[int], frames: list[list[str]]
+) -> None:  # fmt: skip
+    main, other = (tmp_path / name).as_uri(), tmp_path / part
+    other.parent.mkdir(exist_ok=True)
+    other.write_text(part_text)
+    with Inside(initializationOptions={"z32": {"file-root": str(tmp_path / "root")}}) as inside:
+        inside.open(main, text, language)
+        asked = look_up(inside, other.as_uri(), line, program=main)
+        assert asked["uri"] == f"deburr-expanded:{tmp_path}/{name}"
+        assert [each["range"]["start"]["line"] for each in asked["ranges"]] == flat
+        assert [[frame["kind"] for frame in each["frames"]] for each in asked["ranges"]] == frames
+        assert look_up(inside, other.as_uri(), line) == asked, "it was expanded last"
+        back = look_up(inside, asked["uri"], flat[0])
+        assert (back["uri"], back["ranges"][0]["range"]["start"]["line"]) == (other.as_uri(), line)
+
+
+def test_from_a_template_to_what_it_printed(tmp_path: Path) -> None:
+    (tmp_path / "a.cl").write_text("GOTO/1,2,3\nGOTO/4,5,6\nFINI\n")
+    (tmp_path / "deburr.toml").write_text('[cgt]\ninput = "a.cl"\n')
+    text = "@START\n%\n@\n@LINE\nG1 X#XPOS\n@\n@RAP\nG0 X#XPOS\n@\n@END\nM30\n@\n@ARC\n@\n@TOOLCHG\n@\n"
+    main = (tmp_path / "main.cgt").as_uri()
+    with Inside() as inside:
+        inside.open(main, text, "cgt")
+        there = look_up(inside, main, 10)
+        (flat,) = there["ranges"]
+        assert [each["kind"] for each in flat["frames"]] == ["section"]
+        back = look_up(inside, there["uri"], flat["range"]["start"]["line"])
+        assert back["ranges"][0]["range"] == whole(10, 3)

@@ -96,8 +96,11 @@ _DRIVE = re.compile(r"/[A-Za-z](?::|%3[Aa])")
 
 
 def uri_to_file(uri: str) -> str:
-    """The path of a `file:` URI with `/` between its parts; any other URI is its own name."""
-    parts = urlsplit(uri)
+    """The path of a `file:` URI with `/` between its parts; any other text is its own name, a URI or none."""
+    try:
+        parts = urlsplit(uri)
+    except ValueError:
+        return uri
     if parts.scheme != "file":
         return uri
     path = unquote(parts.path)

@@ -9,7 +9,7 @@ from contextlib import closing
 from dataclasses import replace
 from itertools import count
 from typing import TYPE_CHECKING, Any, NamedTuple
-from urllib.parse import unquote, urlsplit
+from urllib.parse import unquote
 
 from pygls.exceptions import JsonRpcInvalidParams
 
@@ -189,15 +189,14 @@ def wanted_by(said: Mapping[str, Any]) -> Wanted:
 
 def wanted_of(uri: str) -> Wanted:
     """What the URI of a flat program asks for: `deburr-expanded:` and the source's own, for files without `file://`; as query, the other arguments in JSON."""
-    parts = urlsplit(uri)
-    rest = uri.removeprefix(f"{EXPANDED}:").partition("?")[0]
+    rest, _, query = uri.removeprefix(f"{EXPANDED}:").partition("?")
     source = f"file://{rest}" if rest.startswith("/") else rest
     try:
-        said = json.loads(unquote(parts.query)) if parts.query else {}
+        said = json.loads(unquote(query)) if query else {}
     except ValueError:
         said = None
     if not isinstance(said, dict):
-        raise JsonRpcInvalidParams(f"`{parts.query}` is no JSON object with arguments")
+        raise JsonRpcInvalidParams(f"`{query}` is no JSON object with arguments")
     return wanted_by({**said, "uri": source})
 
 

@@ -5,6 +5,7 @@ from lsprotocol import types
 from deburr.finding import Place
 from deburr.ide import calls
 from deburr.ide.view import View
+from deburr.lsp.convert import uri_to_file
 from deburr.lsp.server import Server, feature
 from deburr.symbols import Sort
 
@@ -19,7 +20,7 @@ _KINDS = {
 def on_prepare_calls(server: Server, params: types.CallHierarchyPrepareParams) -> list[types.CallHierarchyItem] | None:
     """What is called at the cursor, or the routine that it stands in."""
     spot = server.spot(params)
-    return None if spot is None else [_item(server, each) for each in calls.prepared(*spot)]
+    return None if spot is None else [_item(server, spot.view, each) for each in calls.prepared(*spot)]
 
 
 @feature(types.CALL_HIERARCHY_INCOMING_CALLS)
@@ -27,13 +28,12 @@ def on_incoming(
     server: Server, params: types.CallHierarchyIncomingCallsParams
 ) -> list[types.CallHierarchyIncomingCall]:
     """Who calls a routine."""
-    view = server.view(params.item.uri)
+    view = _view(server, params.item)
     found = [] if view is None else calls.incoming(view, _routine(server, view, params.item))
     return [
-        types.CallHierarchyIncomingCall(
-            _item(server, each.routine), [server.location(spot).range for spot in each.places]
-        )
+        types.CallHierarchyIncomingCall(_item(server, view, each.routine), _ranges(server, each))
         for each in found
+        if view is not None
     ]
 
 
@@ -42,17 +42,21 @@ def on_outgoing(
     server: Server, params: types.CallHierarchyOutgoingCallsParams
 ) -> list[types.CallHierarchyOutgoingCall]:
     """Whom a routine calls."""
-    view = server.view(params.item.uri)
+    view = _view(server, params.item)
     found = [] if view is None else calls.outgoing(view, _routine(server, view, params.item))
     return [
-        types.CallHierarchyOutgoingCall(
-            _item(server, each.routine), [server.location(spot).range for spot in each.places]
-        )
+        types.CallHierarchyOutgoingCall(_item(server, view, each.routine), _ranges(server, each))
         for each in found
+        if view is not None
     ]
 
 
-def _item(server: Server, routine: calls.Routine) -> types.CallHierarchyItem:
+def _ranges(server: Server, found: calls.Calls) -> list[types.Range]:
+    return [server.location(spot).range for spot in found.places]
+
+
+def _item(server: Server, view: View, routine: calls.Routine) -> types.CallHierarchyItem:
+    """A routine for the client. A snippet need not tell its language by itself, so a program of the same goes with it."""
     lines = server.session.lines(routine.file)
     whole = Place("", routine.first, 0, routine.last, len(lines(routine.last)))
     return types.CallHierarchyItem(
@@ -62,8 +66,14 @@ def _item(server: Server, routine: calls.Routine) -> types.CallHierarchyItem:
         range=server.units.place(lines, whole),
         selection_range=server.units.range(lines, routine.line, routine.span),
         detail="" if routine.whole else routine.file.rpartition("/")[2],
-        data={"whole": routine.whole},
+        data={"whole": routine.whole, "like": server.session.uri(view.file)},
     )
+
+
+def _view(server: Server, item: types.CallHierarchyItem) -> View | None:
+    """The program of an item."""
+    like = server.view(str(item.data.get("like", ""))) if isinstance(item.data, dict) else None
+    return server.view(item.uri) if like is None else like.beside(uri_to_file(item.uri))
 
 
 def _routine(server: Server, view: View, item: types.CallHierarchyItem) -> calls.Routine:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
-from urllib.parse import unquote, urlsplit
+from urllib.parse import unquote
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
@@ -40,9 +40,9 @@ async def on_command(server: Server, params: types.ExecuteCommandParams) -> Any:
 @feature(types.WORKSPACE_TEXT_DOCUMENT_CONTENT)
 async def on_content(server: Server, params: types.TextDocumentContentParams) -> types.TextDocumentContentResult:
     """The flat program of a source, or the page of a rule."""
-    parts = urlsplit(params.uri)
-    if parts.scheme == PAGES:
-        return types.TextDocumentContentResult(_page(unquote(parts.path).strip("/").removesuffix(".md")))
+    scheme, _, path = params.uri.partition(":")
+    if scheme == PAGES:
+        return types.TextDocumentContentResult(_page(unquote(path).strip("/").removesuffix(".md")))
     return types.TextDocumentContentResult(await server.previews.content(params.uri))
 
 
