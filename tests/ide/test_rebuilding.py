@@ -292,6 +292,7 @@ def test_lines_become_a_section() -> None:
         ("rs274", "G21 G90 G17\n#<a>=1\n<|>#<_b>=EXISTS[#<a>]\n<|>M2\n", "EXISTS"),
         ("rs274", "G21 G90 G17\n<|>G0 X1\nM2\n<|>", "ends more than these lines"),
         ("rs274", "o<s> sub\n<|>G0 X1\no<s> return\n<|>o<s> endsub\nG21 G90 G17\no<s> call\nM2\n", "only a part"),
+        ("rs274", "G21 G90 G17\n<|>M70\nG91\n<|>M72\nM2\n", "ends more than these lines"),
         ("rs274", "G21 G90 G17\nM2\n<|>G0 X1\n<|>", "never read"),
         ("rs274", "G21 G90 G17\n<|>\n<|>M2\n", "there is nothing"),
         ("metagcode", "<|>#IF1 1 equalto 1 n\n<|>#ENDIF1\n", "only a part of a block"),

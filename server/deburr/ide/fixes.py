@@ -35,7 +35,7 @@ def quick_fixes(view: View, findings: Iterable[Finding]) -> list[QuickFix]:
     found: list[QuickFix] = []
     for finding in findings:
         if finding.place.file == view.file and finding.place.line < view.document.line_count:
-            found += [*_mended(analysis, finding), *_allowed(view, finding)]
+            found += [*_mended(analysis, finding), *_allowed(analysis, finding)]
     return found
 
 
@@ -46,12 +46,14 @@ def _mended(analysis: Analysis, finding: Finding) -> Iterator[QuickFix]:
         yield QuickFix(fix.title, finding, fix.edits, number == 0)
 
 
-def _allowed(view: View, finding: Finding) -> Iterator[QuickFix]:
+def _allowed(analysis: Analysis, finding: Finding) -> Iterator[QuickFix]:
     """A comment on the line, or one more name in the one that is there; if the line takes none, one on the line above."""
-    for edit in _comments(view.document, finding):
-        after = view.document.edit(edit)
+    document = analysis.document
+    for edit in _comments(document, finding):
+        after = document.edit(edit)
         moved = finding._replace(place=_below(finding, edit))
-        if is_allowed(after, moved) and _same_line(view.document, after, finding.place.line, moved.place.line):
+        same = _same_line(document, after, finding.place.line, moved.place.line)
+        if same and is_allowed(after, moved) and cures(analysis, finding, [edit]):
             yield QuickFix(f"Allow `{finding.rule}` here", finding, (edit,))
             return
 

@@ -25,7 +25,7 @@ EXTRACTED = "subprogram"
 MISSING: tuple[str, ...] = ("sub-unknown",)
 _ARGUMENTS = 30
 _LITERAL = re.compile(r"[ \t]*=[ \t]*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))(?=[ \t]*(?:$|[(;#]))")
-_ENDS = re.compile(r"(?i)^[ \t]*%|\bM[ \t]*0*(?:2|30|98|99)(?![0-9])|\breturn\b")
+_ENDS = re.compile(r"(?i)^[ \t]*%|\bM[ \t]*0*(?:2|30|7[0-3]|98|99)(?![0-9])|\breturn\b")
 _BY_NUMBER = re.compile(r"(?i)M[ \t]*98(?![0-9])|G[ \t]*7[0-2](?:\.[12])?(?![0-9])")
 
 
@@ -88,7 +88,7 @@ def extracted(view: View, first: int, last: int) -> Extraction:
     if any(document.node(at).reading.start is None for at in range(first, last + 1)):
         raise Cannot("the lines are never read")
     if wrong := next((line for line in lines if _ENDS.search(line)), None):
-        raise Cannot(f"`{wrong.strip()}` ends more than these lines")
+        raise Cannot(f"`{wrong.strip()}` ends more than these lines, or saves for a subprogram of its own")
     name = fresh_name({each.name for each in all_symbols(document) if each.sort is Sort.SUB}, "part")
     arguments, opening = _passed(document, first, last)
     indent = lines[0][: len(lines[0]) - len(lines[0].lstrip())]
