@@ -1,6 +1,6 @@
 """What would mend a fault: edits that the fault's own rule makes of the program as it stands. Never made while a program is checked, never applied here.
 
-A rule's file may hold `fix`, a function of a `Broken` or one of those below; without it a fix is made where its message asks *did you mean*.
+A rule's file may hold `fix`, a function of a `Broken` or one of those below: then the rule has a fix, at least for some of its findings.
 A fix is safe only where it is certain what the program means: the control reads what it read before, or could only read that.
 """
 
@@ -112,14 +112,11 @@ Fixer = Callable[[Broken], Iterator[Fix]]
 
 def fixes_of(analysis: Analysis, finding: Finding) -> list[Fix]:
     """All that the rule of a finding would do about it, the best first; nothing where the finding stands in another file."""
-    rule = analysis.ruleset.named(finding.rule.partition(".")[2])
-    if (
-        rule is None
-        or finding.place.file != analysis.file
-        or not 0 <= finding.place.line < analysis.document.line_count
-    ):
+    rule, place = analysis.ruleset.named(finding.rule.partition(".")[2]), finding.place
+    fix = None if rule is None else rule.fix
+    if fix is None or place.file != analysis.file or not 0 <= place.line < analysis.document.line_count:
         return []
-    return list((rule.fix or meant)(Broken(analysis, finding)))
+    return list(fix(Broken(analysis, finding)))
 
 
 def proven(analysis: Analysis, finding: Finding) -> Fix | None:
@@ -180,7 +177,7 @@ def _by_rule(said: Counter[tuple[str, str]]) -> Counter[str]:
     return Counter(rule for rule, _ in said.elements())
 
 
-def meant(broken: Broken) -> Iterator[Fix]:
+def did_you_mean(broken: Broken) -> Iterator[Fix]:
     """The name that the message asks for: did you mean `X`?"""
     yield from _proposed(broken, _MEANT)
 
@@ -194,14 +191,12 @@ def _proposed(broken: Broken, pattern: re.Pattern[str]) -> Iterator[Fix]:
     proposal = pattern.search(broken.finding.message)
     if proposal is None or not broken.quoted:
         return
-    old = broken.quoted[0]
-    at = broken.said.lower().find(old.lower())
-    if at < 0:
-        at, old = broken.text.lower().find(old.lower(), broken.span.start) - broken.span.start, old
+    old, new = broken.quoted[0], proposal[1]
     around = _AROUND.fullmatch(old)
-    new = proposal[1]
     if around is not None and not new.startswith(around[1].rstrip()):
-        new = f"{around[1]}{new}{around[3]}"
+        new = f"{around[1]}{new}{around[3]}" if old.lower() in broken.said.lower() else new
+        old = old if old.lower() in broken.said.lower() else around[2]
+    at = broken.text.lower().find(old.lower(), broken.span.start) - broken.span.start
     if at >= 0 and new != old:
         start = broken.span.start + at
         yield Fix(f"Change to `{new}`", (broken.edit(start, start + len(old), new),))

@@ -51,8 +51,13 @@ def markdown(rule: Rule, dialect: Dialect) -> str:
     """A rule's page in Markdown."""
     page = page_of(rule, dialect)
     source = [f"Source: {page.source}"] if page.source else []
-    head = [f"# {rule.name} ({kind(rule)})", page.summary, page.why, *source]
+    head = [f"# {rule.name} ({kind(rule)})", page.summary, page.why, *source, *mending(rule)]
     return "\n\n".join([*head, *(_fenced(block) for block in page.blocks)])
+
+
+def mending(rule: Rule) -> list[str]:
+    """What is said of a rule that can mend faults."""
+    return [] if rule.fix is None else ["Fix: there is one for at least some of its findings."]
 
 
 def kind(rule: Rule) -> str:

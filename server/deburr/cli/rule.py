@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from deburr.cli.common import unable
-from deburr.page import kind, markdown, page_of, title
+from deburr.page import kind, markdown, mending, page_of, title
 from deburr.rule import Rule, covers, rule_names, rules_of
 from deburr.selection import unknown
 from deburr_grammar.dialects import NAMES, by_name
@@ -48,7 +48,7 @@ def _page(rule: Rule, dialect: str, form: str) -> str:
     if form == "markdown":
         return markdown(rule, by_name(dialect))
     page = page_of(rule, by_name(dialect))
-    parts = [f"{rule.name} ({kind(rule)})", page.summary, page.why, f"Source: {page.source}"]
+    parts = [f"{rule.name} ({kind(rule)})", page.summary, page.why, f"Source: {page.source}", *mending(rule)]
     parts += [
         f"{title(block)}:\n\n" + "\n".join(f"    {line}".rstrip() for line in block.lines) for block in page.blocks
     ]
@@ -72,6 +72,7 @@ def _object(rule: Rule, dialect: str) -> dict[str, Any]:
         "dialect": dialect,
         "severity": rule.severity.word,
         "default": rule.default,
+        "fix": rule.fix is not None,
         "summary": page.summary,
         "explanation": page.why,
         "source": page.source,

@@ -65,7 +65,7 @@ import re
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, closed, meant
+from deburr.fix import Broken, closed, did_you_mean
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.templates.symbols import commands, missing_sign
 from deburr_grammar.problem import Problem
@@ -98,4 +98,4 @@ def fix(broken: Broken) -> Iterator[Fix]:
     elif "expected `)`" in message or "`,`, `)` or" in message:
         yield from closed(")")(broken)
     else:
-        yield from meant(broken)
+        yield from did_you_mean(broken)

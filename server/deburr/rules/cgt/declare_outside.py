@@ -33,6 +33,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import misspelt_declare
 from deburr.rules.cgt._template import template_of
@@ -49,3 +50,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
     for item, section, _ in template.of("declaration"):
         if section.reading != "declare" and section not in misspelt:
             yield Report(item.span, f"`{item.text}` declares outside `@DECLARE`; move it there", item.line)
+
+
+fix = did_you_mean

@@ -39,6 +39,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.items import Item
@@ -66,3 +67,6 @@ def _no_word(item: Item) -> Span | None:
     assert item.node is not None
     token = item.node.children[2]
     return None if token.kind == "WORD" else Span(token.start, token.end)
+
+
+fix = did_you_mean

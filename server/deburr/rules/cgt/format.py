@@ -28,6 +28,7 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.fix import did_you_mean
 from deburr.formats.machine import FORMAT
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
@@ -53,3 +54,6 @@ def _hint(said: str, width: list[str]) -> str:
     if not re.match("[DFTLPZE]", said):
         return "; its first letter is one of D F T L P Z E"
     return "; digits must stand on both sides of the point"
+
+
+fix = did_you_mean

@@ -20,6 +20,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import did_you_mean
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.templates.symbols import functions, nearest
 from deburr_grammar.text import Span
@@ -35,3 +36,6 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         close = nearest(said, functions())
         hint = f"; did you mean `{close}`?" if close else ""
         yield Report(Span(name.start, name.end), f"there is no function `{said}`{hint}")
+
+
+fix = did_you_mean

@@ -36,6 +36,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import missing, similar_section
 from deburr.rules.cgt._template import template_of
@@ -49,3 +50,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
     for name, line, span, word in missing(template):
         purpose = f"to compute `#{word}`" if word else "to run"
         yield Report(span, f"there is no section `@{name}` {purpose}{similar_section(name, names)}", line)
+
+
+fix = did_you_mean

@@ -43,7 +43,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
-from deburr.fix import Broken, meant
+from deburr.fix import Broken, did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import computed, misspelt, misspelt_declare, similar_section
 from deburr.rules.cgt._template import template_of
@@ -67,4 +67,4 @@ def check(analysis: Analysis) -> Iterator[Report]:
 def fix(broken: Broken) -> Iterator[Fix]:
     """Spell it as it is meant, if there is none of that name yet."""
     taken = {scope.start.bracket.label for scope in broken.analysis.scopes if scope.start is not None}
-    yield from (each for each in meant(broken) if each.edits[0].text.removeprefix("@") not in taken)
+    yield from (each for each in did_you_mean(broken) if each.edits[0].text.removeprefix("@") not in taken)

@@ -34,6 +34,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.symbols import commands, format_classes
@@ -54,3 +55,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
 
 def _asked(use: Use) -> bool:
     return use.role not in ("macro", "declared")
+
+
+fix = did_you_mean

@@ -32,6 +32,7 @@ Good (machine=mill.toml):
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.symbols import commands, format_classes
@@ -54,3 +55,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
             )
         elif use.spelled.kind == "command" and use.role in ("argument", "format"):
             yield Report(use.span, f"`#{use.said}` is a command and has no value", use.line)
+
+
+fix = did_you_mean

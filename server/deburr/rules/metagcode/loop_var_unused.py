@@ -36,6 +36,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 
 from deburr.analysis import Analysis
+from deburr.fix import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered
 from deburr.rules.metagcode._variables import names_of
@@ -98,3 +99,6 @@ def _rows(document: Document, first: int, stop: int) -> Iterator[tuple[int, Mapp
         piece = document.piece(line)
         yield piece.line, names_of(piece.chunk)
         line = piece.line + max(piece.chunk.eols, 1)
+
+
+fix = did_you_mean

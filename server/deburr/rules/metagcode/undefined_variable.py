@@ -56,6 +56,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._generated import undefined
 from deburr.rules.metagcode._variables import configured
@@ -75,3 +76,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
             hints[use.name] = nearest(use.name, known)
         message = f"`|{use.name}|` has no value in `{found.name}`{hints.get(use.name, '')}"
         yield Report(use.span, message, use.line, use.related)
+
+
+fix = did_you_mean

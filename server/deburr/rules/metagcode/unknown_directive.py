@@ -46,7 +46,7 @@ import re
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, meant
+from deburr.fix import Broken, did_you_mean
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._words import FOREIGN, keyword_meant
 from deburr_grammar.text import Span
@@ -77,4 +77,4 @@ def fix(broken: Broken) -> Iterator[Fix]:
     if "takes no number" in broken.finding.message:
         yield broken.replaced("#FILE")
     else:
-        yield from meant(broken)
+        yield from did_you_mean(broken)

@@ -16,6 +16,11 @@ Bad:
     G0 X0 side 2
           ^^^^
 
+Bad:
+
+    #1=ABBS[4]
+       ^^^^
+
 Good:
 
     #1=FIX[2.5]
@@ -25,6 +30,7 @@ Good:
 import re
 from collections.abc import Iterator
 
+from deburr.fix import did_you_mean
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.suggest import suggestion
 from deburr_grammar.problem import Problem
@@ -55,3 +61,6 @@ _ELSEWHERE = {"INT": "FIX", "FLOOR": "FIX", "CEIL": "FUP", "LOG": "LN"}
 def _meant(name: str) -> str:
     plain = "".join(name.split()).upper()
     return f"; did you mean `{_ELSEWHERE[plain]}`?" if plain in _ELSEWHERE else suggestion(plain, _NAMES)
+
+
+fix = did_you_mean

@@ -28,6 +28,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._unknown import unknown
 from deburr.rules.rs274._words import node, said
@@ -45,3 +46,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
         hint = suggestion(found.code, same) or suggestion(found.code, names)
         message = f"`{said(found.line, found.word)}` is no G code of this control{hint}"
         yield Report(Span(word.start, word.end), message, found.at, severity=found.severity)
+
+
+fix = did_you_mean

@@ -81,6 +81,7 @@ Good:
 from collections.abc import Iterator, Sequence
 
 from deburr.analysis import Analysis
+from deburr.fix import did_you_mean
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._calls import IDLE
 from deburr.rules.rs274._files import world_of
@@ -153,3 +154,6 @@ def _way_out(analysis: Analysis, names: Names, use: Use) -> str:
         return shared | table | {each.name for each in scope.sets if each.name}
 
     return names.guesses.near(use.name or "", scope.sub, known)
+
+
+fix = did_you_mean

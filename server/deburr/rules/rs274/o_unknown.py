@@ -39,6 +39,7 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.fix import did_you_mean
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.dialects.rs274.commands import COMMANDS, meant
 from deburr_grammar.problem import Problem
@@ -58,3 +59,6 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
 
 _ENDS = ("end", "next", "endloop")
 """What tells nothing of the block that it is to end."""
+
+
+fix = did_you_mean

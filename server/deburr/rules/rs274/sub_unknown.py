@@ -90,6 +90,7 @@ Good (whole):
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.fix import did_you_mean
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._calls import IDLE, why
 from deburr.rules.rs274._files import How, said, world_of
@@ -109,3 +110,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
             notes = (Note(target.sub.start, target.sub.span, f"`{said(call.label)} sub`"),) if target.sub else ()
             message = why(world, world.main, call, target) + (IDLE if world.is_idle(call.line) else "")
             yield Report(call.span, message, call.line, notes, severity=None if certain else Severity.WARNING)
+
+
+fix = did_you_mean

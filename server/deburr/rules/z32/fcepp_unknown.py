@@ -23,6 +23,7 @@ Good:
 from collections.abc import Iterator
 from difflib import get_close_matches
 
+from deburr.fix import did_you_mean
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
@@ -44,3 +45,6 @@ def check(line: Line, node: Node) -> Iterator[Report]:
         hint = f"did you mean '{near[0]}'?" if near else f"there are {', '.join(_FUNCTIONS)}"
         part = first or node
         yield Report(Span(part.start, part.end), f"`{line.said(part)}` names nothing that can be set up; {hint}")
+
+
+fix = did_you_mean

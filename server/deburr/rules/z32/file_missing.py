@@ -23,6 +23,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.expand.z32.stores import found_files, nearest_file
+from deburr.fix import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.z32._program import beside, lines
 from deburr_grammar.text import Span
@@ -44,3 +45,6 @@ def check(analysis: Analysis) -> Iterator[Report]:
                 hint = f"; did you mean `{near}`?" if near else ""
                 message = f"there is no file `{said}` below `{root}`; the control stops at this call{hint}"
                 yield Report(Span(path.start, path.end), message, at)
+
+
+fix = did_you_mean

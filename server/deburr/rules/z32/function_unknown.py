@@ -23,6 +23,7 @@ Good:
 from collections.abc import Iterator
 from difflib import get_close_matches
 
+from deburr.fix import did_you_mean
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -41,3 +42,6 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
     near = _ELSEWHERE.get(name) or next(iter(get_close_matches(name, names, 1)), None)
     hint = f"did you mean `{near}`?" if near else f"it has {', '.join(names)}"
     yield Report(whole(problem), f"`{line.said(problem)}` is no function of the control; {hint}")
+
+
+fix = did_you_mean
