@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
-from deburr_grammar.text import Edit, Pos, Span, with_newlines
+from deburr_grammar.text import Edit, Pos, Span, line_starts, with_newlines
 
 if TYPE_CHECKING:
     from deburr.finding import Finding
@@ -105,6 +105,8 @@ class Broken(NamedTuple):
         return self.text[: len(self.text) - len(self.text.lstrip())]
 
 
+_MANY = 200
+"""Edits of which each would cost more than to put all between them anew."""
 _PROVEN = 500
 """Findings of a program whose fixes are tried: each costs as much as the check of a few lines, several times."""
 Fixer = Callable[[Broken], Iterator[Fix]]
@@ -133,7 +135,22 @@ def with_fixes(analysis: Analysis, findings: Iterable[Finding]) -> Iterator[Find
 
 def applied(document: Document, edits: Iterable[Edit]) -> Document:
     """The program behind edits of which none touches another."""
-    return document.edit(*sorted(in_endings(document, edits), reverse=True))
+    found = sorted(in_endings(document, edits))
+    if len(found) > _MANY:
+        return document.edit(as_one(document, found))
+    return document.edit(*reversed(found))
+
+
+def as_one(document: Document, edits: Sequence[Edit]) -> Edit:
+    """Many edits, the first first, as one that puts all anew from the first to the last of them."""
+    text = document.text
+    starts = line_starts(text)
+    places = [[starts[at.line] + at.col if at.line < len(starts) else len(text) for at in edit[:2]] for edit in edits]
+    done, parts = places[0][0], []
+    for edit, (start, end) in zip(edits, places):
+        parts += [text[done:start], edit.text]
+        done = end
+    return Edit(edits[0].start, edits[-1].end, "".join(parts))
 
 
 def in_endings(document: Document, edits: Iterable[Edit]) -> tuple[Edit, ...]:

@@ -9,7 +9,7 @@ from deburr.fix import applied, fixes_of
 from deburr_grammar.text import Pos
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Sequence
+    from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 
     from deburr.analysis import Analysis
     from deburr.finding import Finding, Fix
@@ -34,9 +34,22 @@ class _Plan(NamedTuple):
 
 def mended(document: Document, look: Callable[[Document], Analysis], *, unsafe: bool = False) -> Mended:
     """Fix what can be fixed; ``look`` says how a text of the program is read, ``unsafe`` whether guesses count."""
+    work = mending(document, look, unsafe=unsafe)
+    while True:
+        try:
+            next(work)
+        except StopIteration as done:
+            found: Mended = done.value
+            return found
+
+
+def mending(
+    document: Document, look: Callable[[Document], Analysis], *, unsafe: bool = False
+) -> Generator[None, None, Mended]:
+    """The same as work that can be left at each of its steps."""
     fixed: list[Finding] = []
     for _ in range(ROUNDS):
-        taken = _round(document, look, unsafe)
+        taken = yield from _round(document, look, unsafe)
         if not taken:
             break
         document = _behind(document, taken)
@@ -44,17 +57,20 @@ def mended(document: Document, look: Callable[[Document], Analysis], *, unsafe: 
     return Mended(document, tuple(fixed))
 
 
-def _round(document: Document, look: Callable[[Document], Analysis], unsafe: bool) -> list[_Plan]:
+def _round(
+    document: Document, look: Callable[[Document], Analysis], unsafe: bool
+) -> Generator[None, None, list[_Plan]]:
     """The fixes that hold together; where all of them do not, half of them are tried, and so on."""
     analysis = look(document)
-    findings = analysis.findings()
+    findings = yield from analysis.gathering()
     best = Counter(each.rule for each in findings)
     taken: list[_Plan] = []
     plan = list(_apart(_plans(analysis, findings, unsafe)))
     waiting = [plan] if plan else []
     while waiting:
         part = waiting.pop()
-        after = Counter(each.rule for each in look(_behind(document, [*taken, *part])).findings())
+        left = yield from look(_behind(document, [*taken, *part])).gathering()
+        after = Counter(each.rule for each in left)
         if after.total() < best.total() and not after - best:
             taken, best = [*taken, *part], after
         elif len(part) > 1:

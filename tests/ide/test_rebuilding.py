@@ -7,7 +7,6 @@ import pytest
 from deburr.analysis import Analysis
 from deburr.fix import applied
 from deburr.ide.create import missing_file
-from deburr.ide.fixes import fix_all
 from deburr.ide.refactor import Cannot, NewFile
 from deburr.ide.refactorings import Rebuilt, offers, rebuilt
 from deburr.ide.view import View
@@ -89,6 +88,7 @@ def test_steps_are_smaller_where_there_are_many_lines() -> None:
     count = 12_000
     view, found = made("rs274", "renumber-lines", "G21 G90 G17\n" + "N1 G0 X1\n" * count + "M2\n")
     after = applied(view.document, found.edits)
+    assert len(found.edits) == 1, "so many are one edit"
     assert [after.line(at) for at in (1, 2, count)] == ["N10 G0 X1", "N15 G0 X1", "N60005 G0 X1"]
 
 
@@ -341,9 +341,9 @@ def test_what_is_offered_is_seen_from_the_line(dialect: str, text: str, titles: 
 )
 def test_all_safe_fixes_are_made_until_there_are_none(dialect: str, before: str, after: str) -> None:
     view, _ = at_cursor(dialect, before)
-    assert applied(view.document, fix_all(view)).text == after
+    assert applied(view.document, rebuilt(view, "fix-all", Pos(0, 0), Pos(0, 0)).edits).text == after
     view, _ = at_cursor(dialect, after)
-    assert fix_all(view) == ()
+    assert rebuilt(view, "fix-all", Pos(0, 0), Pos(0, 0)).edits == ()
 
 
 @pytest.mark.parametrize(

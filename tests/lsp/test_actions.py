@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -144,3 +145,26 @@ def test_a_client_that_makes_no_files_is_not_asked_to(tmp_path: Path) -> None:
         inside.open(uri, "G0 X1\nG0 X2\n", "metagcode")
         inside.settle()
         assert asked(inside, (0, 0, 1, 0), "refactor.extract", uri=uri) == []
+        inside.settle()
+    later = {**RICH, "workspace": PLAIN["workspace"]}
+    with Inside(later) as inside:
+        inside.open(uri, "G0 X1\nG0 X2\n", "metagcode")
+        inside.settle()
+        (offer,) = asked(inside, (0, 0, 1, 0), "refactor.extract", uri=uri)
+        assert inside.request("codeAction/resolve", offer)["message"].endswith("cannot make the file that it needs")
+
+
+def test_an_edit_ends_what_is_being_worked_out() -> None:
+    with Inside(RICH) as inside:
+        opened(inside, "G21 G90 G17\n" + "N1 G0 X1\n" * 20_000 + "M2\n", "rs274")
+        (offer,) = asked(inside, (1, 0, 1, 0), "refactor.rewrite")
+        inside.loop.call_soon(_typed, inside)
+        assert inside.request("codeAction/resolve", offer)["code"] == -32801
+
+
+def _typed(inside: Inside) -> None:
+    """An edit that comes in while the server is at work."""
+    change = {"range": {"start": {"line": 0, "character": 0}, "end": {"line": 0, "character": 0}}, "text": " "}
+    params = {"textDocument": {"uri": URI, "version": 2}, "contentChanges": [change]}
+    message = {"jsonrpc": "2.0", "method": "textDocument/didChange", "params": params}
+    inside.server.receive(json.dumps(message).encode())

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.fix import applied
-from deburr.ide.proof import prove
-from deburr.ide.refactor import Cannot, moves_of
+from deburr.ide.proof import proving
+from deburr.ide.refactor import Cannot, Work, moves_of
 from deburr_grammar.text import Edit, Pos
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def could_extract(view: View, start: Pos, end: Pos) -> str:
     return moves.EXTRACTED if moves is not None and start < end and last - first < LONGEST else ""
 
 
-def extracted(view: View, start: Pos, end: Pos) -> Extracted:
+def extracted(view: View, start: Pos, end: Pos) -> Work[Extracted]:
     """The selected lines as a part of their own; Cannot where that would mean something else."""
     moves = moves_of(view.dialect.name)
     first, last = selected(start, end)
@@ -51,7 +51,7 @@ def extracted(view: View, start: Pos, end: Pos) -> Extracted:
     if found.lines:
         edits.insert(0, _inserted(view, found.line, found.lines))
     files = {} if found.file is None else {found.file.file: found.file.text}
-    prove(view, applied(view.document, edits), files)
+    yield from proving(view, applied(view.document, edits), files)
     return Extracted(tuple(edits), found.file)
 
 

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
 from deburr.fix import cures, fixes_of, in_endings
-from deburr.mend import mended
+from deburr.ide.refactor import Work
+from deburr.mend import mending
 from deburr.suppress import is_allowed
 from deburr_grammar.text import Edit, Pos
 
@@ -85,10 +86,10 @@ def _same_line(before: Document, after: Document, was: int, now: int) -> bool:
     return kinds[0] == kinds[1] and [p.kind for p in old.problems] == [p.kind for p in new.problems]
 
 
-def fix_all(view: View) -> tuple[Edit, ...]:
+def fix_all(view: View) -> Work[tuple[Edit, ...]]:
     """The edits that make all safe fixes, until there are none."""
-    after = mended(view.document, lambda document: Analysis(document, view.ruleset, view.file, view.host)).document
-    return tuple(_difference(view.document, after))
+    done = yield from mending(view.document, lambda text: Analysis(text, view.ruleset, view.file, view.host))
+    return tuple(_difference(view.document, done.document))
 
 
 def _difference(before: Document, after: Document) -> Iterator[Edit]:

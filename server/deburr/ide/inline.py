@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from deburr.fix import applied
-from deburr.ide.proof import prove
-from deburr.ide.refactor import Cannot, Constant, Moves, moves_of
+from deburr.ide.proof import proving
+from deburr.ide.refactor import Cannot, Constant, Moves, Work, moves_of
 from deburr.ide.related import uses, where
 from deburr.symbols import Act, Sort, Symbol, entry_of
 from deburr.symbols.index import Placed, all_symbols, at, mentions_of
@@ -26,7 +26,7 @@ def could_inline(view: View, pos: Pos) -> str:
     return view.document.line(pos.line)[start:end]
 
 
-def inlined(view: View, pos: Pos) -> tuple[Edit, ...]:
+def inlined(view: View, pos: Pos) -> Work[tuple[Edit, ...]]:
     """The edits that put the number where the name at a place is used, and take its setting out; Cannot where that would mean something else."""
     placed, moves = at(view.document, pos.line, pos.col), moves_of(view.dialect.name)
     if placed is None or moves is None or placed.mention.symbol.sort is not Sort.VARIABLE:
@@ -38,7 +38,7 @@ def inlined(view: View, pos: Pos) -> tuple[Edit, ...]:
     _refuse(view, setting, reads, placed.mention.symbol)
     edits = [_put(view, moves, each, constant.value) for each in reads]
     edits += [_without(view, setting.line, constant)] if constant.goes else []
-    prove(view, applied(view.document, edits))
+    yield from proving(view, applied(view.document, edits))
     return tuple(edits)
 
 

@@ -6,8 +6,8 @@ from collections import Counter
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
-from deburr.expand import Budget, Program, expand, interpreter
-from deburr.ide.refactor import Cannot
+from deburr.expand import Budget, Job, Program, drive, interpreter
+from deburr.ide.refactor import Cannot, Work
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -20,13 +20,15 @@ _BUDGET = Budget(20_000, 20_000)
 """How far a program is run to compare what it does: some tenths of a second."""
 
 
-def prove(view: View, after: Document, files: Mapping[str, str] | None = None) -> None:
-    """Cannot, if another text of a program, with more files beside it, would not mean the same."""
+def proving(view: View, after: Document, files: Mapping[str, str] | None = None) -> Work[None]:
+    """Cannot, if another text of a program, with more files beside it, would not mean the same. Can be left at each step."""
     host = With(view.host, files or {})
-    before, now = _said(view, view.document, view.host), _said(view, after, host)
+    before = yield from _said(view, view.document, view.host)
+    now = yield from _said(view, after, host)
     if new := next(iter(now - before), ""):
         raise Cannot(f"the program would be faulty: {new}")
-    if not _alike(flat(view, view.document, view.host), flat(view, after, host)):
+    was = yield from flat(view, view.document, view.host)
+    if not _alike(was, (yield from flat(view, after, host))):
         raise Cannot("the program would do something else")
 
 
@@ -37,12 +39,22 @@ class Flat(NamedTuple):
     whole: bool
 
 
-def flat(view: View, document: Document, host: Host) -> Flat:
+def flat(view: View, document: Document, host: Host) -> Work[Flat]:
     """The flat program as far as it can be had."""
     if interpreter(view.dialect.name) is None:
         return Flat((), False)
-    done = expand([Program(view.file, document)], view.ruleset, host, None, _BUDGET)
-    return Flat(done.lines, not (done.faults or done.cut))
+    lines = _Kept()
+    job = Job([Program(view.file, document)], view.ruleset, host, lines, None, _BUDGET)
+    yield from drive(job)
+    return Flat(lines.lines, not (job.faults or job.cut))
+
+
+class _Kept:
+    """Lines in memory."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        self.line = self.lines.append
 
 
 def _alike(before: Flat, after: Flat) -> bool:
@@ -52,8 +64,8 @@ def _alike(before: Flat, after: Flat) -> bool:
     return all(one == two for one, two in zip(before.lines, after.lines))
 
 
-def _said(view: View, document: Document, host: Host) -> Counter[str]:
-    findings = Analysis(document, view.ruleset, view.file, host).findings()
+def _said(view: View, document: Document, host: Host) -> Work[Counter[str]]:
+    findings = yield from Analysis(document, view.ruleset, view.file, host).gathering()
     return Counter(each.rule for each in findings)
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.fix import in_endings
+from deburr.fix import as_one, in_endings
 from deburr.ide.extract import could_extract, extracted
 from deburr.ide.fixes import fix_all
 from deburr.ide.inline import could_inline, inlined
-from deburr.ide.refactor import Cannot, moves_of
+from deburr.ide.refactor import Cannot, Work, moves_of
 from deburr.ide.renumber import renumbered_blocks, renumbered_lines
 
 if TYPE_CHECKING:
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from deburr_grammar.text import Edit, Pos
 
 FIX_ALL = "source.fixAll.deburr"
+MOST = 10_000
+"""Edits that are handed out one by one; more of them are one edit, which editors take more easily."""
 
 
 class Offer(NamedTuple):
@@ -57,12 +59,12 @@ def everything() -> Offer:
     return Offer("Fix all that is safe to fix", FIX_ALL, "fix-all")
 
 
-def rebuilt(view: View, name: str, start: Pos, end: Pos) -> Rebuilt:
-    """Do what was offered; Cannot where it would change what the program means, or is nothing that there is."""
+def rebuilding(view: View, name: str, start: Pos, end: Pos) -> Work[Rebuilt]:
+    """Do what was offered, in steps; Cannot where it would change what the program means, or is nothing that there is."""
     if name == "extract":
-        found = extracted(view, start, end)
+        found = yield from extracted(view, start, end)
         return Rebuilt(in_endings(view.document, sorted(found.edits)), found.file)
-    plain: Mapping[str, Callable[[], tuple[Edit, ...]]] = {
+    plain: Mapping[str, Callable[[], Work[tuple[Edit, ...]]]] = {
         "renumber-lines": lambda: renumbered_lines(view),
         "renumber-blocks": lambda: renumbered_blocks(view),
         "inline": lambda: inlined(view, start),
@@ -70,4 +72,17 @@ def rebuilt(view: View, name: str, start: Pos, end: Pos) -> Rebuilt:
     }
     if name not in plain:
         raise Cannot(f"`{name}` is nothing that can be done")
-    return Rebuilt(in_endings(view.document, sorted(plain[name]())))
+    edits = yield from plain[name]()
+    edits = in_endings(view.document, sorted(edits))
+    return Rebuilt(edits if len(edits) <= MOST else (as_one(view.document, edits),))
+
+
+def rebuilt(view: View, name: str, start: Pos, end: Pos) -> Rebuilt:
+    """The same at once."""
+    work = rebuilding(view, name, start, end)
+    while True:
+        try:
+            next(work)
+        except StopIteration as done:
+            found: Rebuilt = done.value
+            return found

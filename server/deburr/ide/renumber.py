@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.fix import applied
-from deburr.ide.proof import prove
-from deburr.ide.refactor import Cannot, moves_of
+from deburr.ide.proof import proving
+from deburr.ide.refactor import Cannot, Work, moves_of
 from deburr.ide.related import uses
 from deburr.symbols import Act, Sort
 from deburr_grammar.text import Edit, Pos, Span
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from deburr_grammar.dialect import Bracket
 
 _LOCAL = (Sort.LABEL,)
+_STEP = 100
+"""Lines that are gone through in one step."""
 
 
 class _Number(NamedTuple):
@@ -32,34 +34,36 @@ class _Number(NamedTuple):
     section: int
 
 
-def renumbered_lines(view: View) -> tuple[Edit, ...]:
+def renumbered_lines(view: View) -> Work[tuple[Edit, ...]]:
     """The edits that give the lines that have a number new ones, and jumps their new targets; Cannot where that cannot be done."""
     moves = _moves(view)
     if moves.LINES is None:
         raise Cannot("lines have no numbers that this program uses")
-    found = list(_line_numbers(view, moves))
+    found = yield from _line_numbers(view, moves)
     defined = [each for each in found if each.act is Act.DEFINE]
     _refuse(found, defined)
     numbers = _sequence(moves.LINES, len(defined))
     targets = {(each.section, each.symbol.name): number for each, number in zip(defined, numbers)}
     edits = [_edit(each, number) for each, number in zip(defined, numbers)]
     edits += [_edit(each, targets[each.section, each.symbol.name]) for each in found if each.act is Act.CALL]
-    return _proven(view, edits)
+    return (yield from _proven(view, edits))
 
 
-def renumbered_blocks(view: View) -> tuple[Edit, ...]:
+def renumbered_blocks(view: View) -> Work[tuple[Edit, ...]]:
     """The edits that give blocks and numbered subprograms new numbers, in the order of the program; the same number stays the same."""
     moves = _moves(view)
     if moves.BLOCKS is None:
         raise Cannot("blocks have no numbers")
-    found = list(_block_numbers(view, moves))
+    found = yield from _block_numbers(view, moves)
     if any(not each.symbol.name for each in found):
         raise Cannot("a number is computed, or called in a way that cannot be followed")
     kept = _kept(view, found)
     order = [name for name in dict.fromkeys(each.symbol.name for each in found) if name not in kept]
     numbers = _sequence(moves.BLOCKS, len(order), {int(name) for name in kept})
     table = dict(zip(order, numbers))
-    return _proven(view, [_edit(each, table[each.symbol.name]) for each in found if each.symbol.name in table])
+    return (
+        yield from _proven(view, [_edit(each, table[each.symbol.name]) for each in found if each.symbol.name in table])
+    )
 
 
 def _moves(view: View) -> Moves:
@@ -69,17 +73,25 @@ def _moves(view: View) -> Moves:
     return moves
 
 
-def _line_numbers(view: View, moves: Moves) -> Iterator[_Number]:
+def _line_numbers(view: View, moves: Moves) -> Work[list[_Number]]:
+    found: list[_Number] = []
     section = -1
     for line, node in enumerate(view.document.nodes()):
         if moves.starts_section(node):
             section = line
-        yield from (_number(line, each, section) for each in moves.line_numbers(node))
+        found += [_number(line, each, section) for each in moves.line_numbers(node)]
+        if line % _STEP == 0:
+            yield
+    return found
 
 
-def _block_numbers(view: View, moves: Moves) -> Iterator[_Number]:
+def _block_numbers(view: View, moves: Moves) -> Work[list[_Number]]:
+    found: list[_Number] = []
     for line, node in enumerate(view.document.nodes()):
-        yield from (_number(line, each, 0) for each in moves.block_numbers(node))
+        found += [_number(line, each, 0) for each in moves.block_numbers(node)]
+        if line % _STEP == 0:
+            yield
+    return found
 
 
 def _number(line: int, mention: Mention, section: int) -> _Number:
@@ -134,13 +146,13 @@ def _edit(number: _Number, new: int) -> Edit:
     return Edit(Pos(number.line, start), Pos(number.line, end), str(new))
 
 
-def _proven(view: View, edits: list[Edit]) -> tuple[Edit, ...]:
+def _proven(view: View, edits: list[Edit]) -> Work[tuple[Edit, ...]]:
     """The edits that change anything."""
     changing = tuple(edit for edit in edits if _text(view, edit) != edit.text)
     if changing:
         after = applied(view.document, changing)
         _same_brackets(view, after.brackets())
-        prove(view, after)
+        yield from proving(view, after)
     return changing
 
 

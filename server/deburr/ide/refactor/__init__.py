@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from functools import cache
 from importlib import import_module
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeVar
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
@@ -14,6 +14,11 @@ if TYPE_CHECKING:
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
     from deburr_grammar.text import Span
+
+
+T = TypeVar("T")
+Work = Generator[None, None, T]
+"""What comes to a result in steps, between which it can be left."""
 
 
 class Cannot(Exception):

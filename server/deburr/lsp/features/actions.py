@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import closing
+from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
@@ -11,7 +14,9 @@ from pygls.exceptions import JsonRpcException
 from deburr.ide.create import missing_file
 from deburr.ide.fixes import quick_fixes
 from deburr.ide.refactor import Cannot, NewFile
-from deburr.ide.refactorings import FIX_ALL, Offer, everything, offers, rebuilt
+from deburr.ide.refactorings import FIX_ALL, Offer, Rebuilt, everything, offers, rebuilding, rebuilt
+from deburr.lsp.idle import SLICE
+from deburr.lsp.progress import Progress
 from deburr.lsp.report import diagnostics
 from deburr.lsp.server import Server, feature
 from deburr_grammar.text import Edit, Pos
@@ -52,25 +57,37 @@ def on_actions(server: Server, params: types.CodeActionParams) -> list[types.Cod
 
 
 @feature(types.CODE_ACTION_RESOLVE)
-def on_resolve(server: Server, action: types.CodeAction) -> types.CodeAction:
-    """The edit of what was chosen, proven."""
+async def on_resolve(server: Server, action: types.CodeAction) -> types.CodeAction:
+    """The edit of what was chosen, proven. It is worked out between other messages; an edit of the program ends it."""
     data: Any = action.data if isinstance(action.data, dict) else {}
-    view = server.view(data["uri"]) if isinstance(data.get("uri"), str) else None
-    place = data.get("range")
-    if (
-        view is None
-        or not isinstance(place, list)
-        or len(place) != 4
-        or not all(isinstance(each, int) for each in place)
-    ):
+    uri, place = data.get("uri"), data.get("range")
+    view = server.view(uri) if isinstance(uri, str) else None
+    if view is None or not isinstance(place, list) or [type(each) for each in place] != [int] * 4:
         return action
-    if data.get("version") != _version(server, data["uri"]):
-        raise JsonRpcException("the program has changed since this was offered", _MODIFIED)
     try:
-        action.edit = _edit(server, view, str(data.get("name")), Pos(*place[:2]), Pos(*place[2:]))
+        found = await _worked_out(server, view, data, (Pos(*place[:2]), Pos(*place[2:])), action.title)
+        action.edit = _edit(server, view, found)
     except Cannot as why:
         raise JsonRpcException(f"not done: {why}", _REFUSED) from None
     return action
+
+
+async def _worked_out(server: Server, view: View, data: Any, place: tuple[Pos, Pos], title: str) -> Rebuilt:
+    with (
+        Progress(server.protocol, server.client, title) as progress,
+        closing(rebuilding(view, str(data.get("name")), *place)) as work,
+    ):
+        while data.get("version") == _version(server, data["uri"]):
+            until = monotonic() + SLICE
+            try:
+                while monotonic() < until:
+                    next(work)
+            except StopIteration as done:
+                found: Rebuilt = done.value
+                return found
+            progress.say("proving that the program means the same")
+            await asyncio.sleep(0)
+    raise JsonRpcException("the program has changed since this was offered", _MODIFIED)
 
 
 def _wanted(kind: str, only: Sequence[str]) -> bool:
@@ -107,14 +124,13 @@ def _said(server: Server, finding: Finding) -> Sequence[types.Diagnostic]:
 def _now(server: Server, view: View, offer: Offer, start: Pos, end: Pos) -> Iterator[types.CodeAction]:
     """What was asked for is worked out at once; what cannot be done is not offered."""
     try:
-        edit = _edit(server, view, offer.name, start, end)
+        edit = _edit(server, view, rebuilt(view, offer.name, start, end))
     except Cannot:
         return
     yield types.CodeAction(offer.title, offer.kind, edit=edit)
 
 
-def _edit(server: Server, view: View, name: str, start: Pos, end: Pos) -> types.WorkspaceEdit:
-    found = rebuilt(view, name, start, end)
+def _edit(server: Server, view: View, found: Rebuilt) -> types.WorkspaceEdit:
     if found.file is None:
         return server.workspace_edit({view.file: found.edits})
     if not server.client.creates:
