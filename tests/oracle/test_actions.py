@@ -26,7 +26,7 @@ from support.samples import sample
 
 pytestmark = pytest.mark.oracle
 STEPS = ("fix-all", "allow", "renumber-lines", "renumber-blocks", "inline", "extract")
-LEAST = {"fix-all": 2, "allow": 60, "renumber-lines": 20, "renumber-blocks": 20, "inline": 15, "extract": 100}
+LEAST = {"fix-all": 3, "allow": 40, "renumber-lines": 4, "renumber-blocks": 50, "inline": 5, "extract": 50}
 """So many programs each step changes at least: fewer, and it refuses what it need not."""
 TRIED = 3
 
