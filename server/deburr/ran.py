@@ -114,3 +114,6 @@ class _Nowhere:
 
     def line(self, text: str) -> None:
         """Nothing."""
+
+    def keep(self, count: int) -> None:
+        """Nothing."""

@@ -62,6 +62,20 @@ def test_a_part_is_written_if_it_is_wanted(shell):
     assert (ran.code, ran.out) == (1, "G0 X1\n")
 
 
+@pytest.mark.parametrize("eol", ["lf", "crlf"])
+def test_a_part_ends_before_the_first_line_that_a_value_makes_wrong(shell, eol):
+    shell.write("bad.ngc", "(\u00b5)\n#1=5\nG1 X1 F#1\nG1 X2 F[#1-9]\nG1 X3 F5\nG0 X9\nM2\n")
+    ran = shell.run("expand", "bad.ngc", "--partial", "--eol", eol, "-o", "flat.ngc", "--source-map", "flat.map")
+    assert ran.code == 1 and "rs274.negative-value" in ran.err
+    end = {"lf": "\n", "crlf": "\r\n"}[eol]
+    assert (shell.folder / "flat.ngc").read_bytes() == f"(\u00b5){end}G1 X1 F5{end}".encode()
+    document = json.loads((shell.folder / "flat.map").read_text())
+    assert document["x_deburr_lines"] == [[0, 0, -1], [0, 2, -1]]
+    shell.write("none.ngc", "#1=-5\nG1 X1 F#1\nM2\n")
+    ran = shell.run("expand", "none.ngc", "--partial")
+    assert (ran.code, ran.out) == (1, "")
+
+
 def test_a_program_that_is_wrong_as_it_stands_is_not_run(shell):
     shell.write("wrong.ngc", "G0 X1\no1 if [1]\nM2\n")
     ran = shell.run("expand", "wrong.ngc", "--partial")

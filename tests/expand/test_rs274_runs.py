@@ -8,7 +8,8 @@ import pytest
 
 import deburr.expand.rs274
 from deburr.analysis import Analysis
-from deburr.expand import Budget, Inputs, Job, Program, drive
+from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive
+from deburr.fault import Entered, Frame
 from deburr.finding import Severity
 from deburr.ran import ran
 from deburr.ruleset import RuleSet
@@ -108,6 +109,57 @@ def test_memory_does_not_grow_with_what_is_written() -> None:
     assert sink.lines == 30_001
     assert peaks[-1] < 12_000_000
     assert peaks[-1] - peaks[len(peaks) // 2] < 3_000_000
+
+
+def test_a_map_is_written_in_pieces() -> None:
+    kept = SourceMap()
+    for row in range(50_000):
+        kept.add(MAIN, row, Frame(None, MAIN, row % 7, Entered.LOOP, row))
+    tracemalloc.start()
+    longest = max(map(len, kept.texts("")))
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert longest < 200_000
+    assert peak < 2_000_000
+    document = kept.document("flat.ngc")
+    assert (len(document["x_deburr_lines"]), document["x_deburr_lines"][-1]) == (50_000, [0, 49_999, 49_999])
+    assert (len(document["x_deburr_frames"]), document["x_deburr_frames"][8]) == (50_000, [-1, 0, 1, "loop", 8])
+    assert document["mappings"].startswith("AAAA;AACA;AACA;") and document["mappings"].count(";") == 49_999
+
+
+def test_plain_lines_are_copied_without_a_closure_for_each(monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[int] = []
+    node = Document.node
+    monkeypatch.setattr(Document, "node", lambda document, line: read.append(line) or node(document, line))
+    moves = "".join(f"N{at} G1 X{at} Y{at / 7:.4f}\n" for at in range(3_000))
+    found = expansion(f"G90 F100\n{moves}#1=#5421 #2=#<_motion_mode>\nG0 X#1 Y#2\nM2\n")
+    assert found.lines[-2:] == ["G0 X428.4286 Y10", "M2"]
+    assert len(found.lines) == 3_003
+    assert len(set(read)) < 10
+
+
+FOLLOWED = {
+    "the last of each letter": ("G1 X1 Y2 F7\nX3\n(a)\nZ4 F9", (3, 2, 4, 9, 10)),
+    "motion of an earlier line": ("G2 X3 Y4 I1.5 J2\nG1\nX5", (5, 4, 0, 5, 10)),
+    "increments": ("X1\nG91\nX1\nX1\nG90\nY2", (3, 2, 0, 5, 10)),
+    "a cycle between moves": ("X1\nG81 X4 Z-2 R3\nX5\nG0 Y6", (5, 6, 3, 5, 0)),
+    "an offset": ("X1\nG92 X10\nX12", (12, 0, 0, 5, 10)),
+    "comments between words": ("X1 (2) Y3\nG1 (4) Z5 (6)", (1, 3, 5, 5, 10)),
+    "signs, blanks and names of axes": ("x - 1 2 y--.5\nG 1 Z+3.", (-12, 0.5, 3, 5, 10)),
+    "inches": ("G20\nX1\nG21\nY1", (25.4, 1, 0, 5, 10)),
+    "a diameter": ("G7\nX10\nG8\nZ2", (5, 0, 2, 5, 10)),
+    "another system": ("G10 L2 P2 X10\nX1\nG55\nY3\nX4", (4, 3, 0, 5, 10)),
+    "machine coordinates": ("G10 L2 P1 X10\nG53 G1 X4\nY3", (-6, 3, 0, 5, 10)),
+}
+
+
+@pytest.mark.parametrize("name", FOLLOWED)
+def test_copied_lines_are_followed(name: str) -> None:
+    program, (x, y, z, feed, motion) = FOLLOWED[name]
+    ask = "G0 X#5420 Y#5421 Z#5422 S#<_feed> (PRINT,#<_motion_mode>)"
+    found = expansion(f"G90 G1 F5\n{program}\n{ask}\nM2\n")
+    assert not found.faults
+    assert found.lines[-2] == f"G0 X{x} Y{y} Z{z} S{feed} (PRINT,{motion:.6f})"
 
 
 def test_a_loop_reads_its_lines_once(monkeypatch: pytest.MonkeyPatch) -> None:

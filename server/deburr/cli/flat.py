@@ -4,6 +4,7 @@ import os
 import sys
 from collections.abc import Iterator, Sequence
 from errno import EISDIR
+from mmap import ACCESS_READ, mmap
 from pathlib import Path
 from time import monotonic
 from typing import IO, NamedTuple
@@ -108,6 +109,18 @@ class Flat:
         self.count += 1
         self.file.write(text.encode(self._encoding, "replace"))
 
+    def keep(self, count: int) -> None:
+        """Only the first so many lines."""
+        self.file.flush()
+        end = 0
+        with mmap(self.file.fileno(), 0, access=ACCESS_READ) as text:
+            # Each line but the first begins behind an end.
+            for _ in range(count):
+                end = text.find(self._eol, end) + len(self._eol)
+        self.file.truncate(max(end - len(self._eol), 0))
+        self.file.seek(0, os.SEEK_END)
+        self._count = count
+
     def lines(self) -> list[str]:
         """All lines, to be compared."""
         self.file.seek(0)
@@ -138,16 +151,14 @@ class Flat:
         out.flush()
 
     def _write_map(self, output: str | None, path: str) -> None:
-        import json
-
         assert self.source_map is not None
         folder = paths.parent(paths.absolute(path))
-        document = self.source_map.document(
+        texts = self.source_map.texts(
             os.path.relpath(output, folder).replace(os.sep, "/") if output else "",
             lambda file: os.path.relpath(file, folder).replace(os.sep, "/"),
         )
         with _replacing(path) as out:
-            out.write(json.dumps(document, separators=(",", ":")).encode())
+            out.writelines(text.encode() for text in texts)
 
 
 def flat_of(programs: Sequence[Opened], terms: Terms, lines: IO[bytes]) -> Flat:

@@ -7,7 +7,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from deburr.expand.job import Budget, Job, Program
+from deburr.expand.job import Budget, Job, Kept, Program
 from deburr.expand.source_map import SourceMap
 from deburr.fault import Fault, Halt
 from deburr.inputs import Inputs
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from deburr.host import Host
     from deburr.ruleset import RuleSet
 
-__all__ = ["Budget", "Expansion", "Inputs", "Job", "Program", "SourceMap", "drive", "expand", "interpreter"]
+__all__ = ["Budget", "Expansion", "Inputs", "Job", "Kept", "Program", "SourceMap", "drive", "expand", "interpreter"]
 
 
 class Expansion(NamedTuple):
@@ -38,7 +38,7 @@ def expand(
     budget: Budget | None = None,
 ) -> Expansion:
     """Run programs, joined in order, to the end. They must have passed `check` without an error."""
-    kept, source_map = _Kept(), SourceMap()
+    kept, source_map = Kept(), SourceMap()
     job = Job(programs, ruleset, host, kept, inputs, budget, source_map)
     for _ in drive(job):
         pass
@@ -65,11 +65,3 @@ def interpreter(dialect: str) -> ModuleType | Any:
     """
     name = f"{__name__}.{dialect}"
     return import_module(name) if find_spec(name) is not None else None
-
-
-class _Kept:
-    """Lines in memory."""
-
-    def __init__(self) -> None:
-        self.lines: list[str] = []
-        self.line = self.lines.append

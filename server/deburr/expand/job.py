@@ -42,6 +42,21 @@ class Sink(Protocol):
     def line(self, text: str) -> None:
         """One line, without its ending."""
 
+    def keep(self, count: int) -> None:
+        """Only so many of the lines were right: forget the others."""
+
+
+class Kept:
+    """Flat lines in memory."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        self.line = self.lines.append
+
+    def keep(self, count: int) -> None:
+        """Only the first so many."""
+        del self.lines[count:]
+
 
 class Job:
     """One run. An interpreter is `run(job)`, a generator that yields every ``pace`` steps; it ends by itself, or with a `Halt`."""
@@ -72,7 +87,8 @@ class Job:
         """Whether the last fault ended the run."""
         self.where: Callable[[], str] = str
         """What the run is in, in words: a loop and its variable's last values; nothing outside of loops."""
-        self._pace = pace
+        self.pace = pace
+        self._sink = sink
         self._line = sink.line
         self._map = source_map
         self._met: set[tuple[str, str, int, Span]] = set()
@@ -93,16 +109,36 @@ class Job:
         if self._map is not None:
             self._map.add(file, row, frame)
 
+    def copy(self, texts: Sequence[str], file: str, rows: Sequence[int], frame: Frame | None) -> None:
+        """Several flat lines of one file, as by `emit`."""
+        room = self.budget.blocks - self.emitted if self.budget.blocks else len(texts)
+        if len(texts) > room:
+            self.copy(texts[:room], file, rows[:room], frame)
+            self.emit(texts[room], file, rows[room], frame)
+        self.emitted += len(texts)
+        for text in texts:
+            self._line(text)
+        if self._map is not None:
+            self._map.extend(file, rows, frame)
+
+    def keep(self, count: int) -> None:
+        """Take all flat lines back but the first so many."""
+        if count < self.emitted:
+            self.emitted = count
+            self._sink.keep(count)
+            if self._map is not None:
+                self._map.keep(count)
+
     def slice(self, file: str, row: int, frame: Frame | None) -> int:
         """How many steps may be done before the next yield."""
-        left = self.budget.steps - self.steps if self.budget.steps else self._pace
+        left = self.budget.steps - self.steps if self.budget.steps else self.pace
         if left <= 0:
             self.cut = True
             limit = (
                 f"more than {self.budget.steps:,} lines were executed{self._inside()}; --max-steps sets another limit"
             )
             raise Halt(Fault("limit", file, row, Span(0, 0), limit, frame))
-        found = min(self._pace, left)
+        found = min(self.pace, left)
         self.steps += found
         return found
 

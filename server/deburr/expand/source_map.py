@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import json
 from array import array
+from functools import lru_cache
+from itertools import islice
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
 
     from deburr.fault import Frame
 
 _DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
+
+_AT_ONCE = 4_000
+"""So many lines of a map are written together."""
 
 
 class Origin(NamedTuple):
@@ -51,6 +57,22 @@ class SourceMap:
         rows.append(row)
         frames.append(-1 if frame is None else frame.id if frame.id >= 0 else self._kept(frame))
 
+    def extend(self, file: str, rows: Sequence[int], frame: Frame | None) -> None:
+        """The origins of the next flat lines, all of one file and frame."""
+        if not rows:
+            return
+        self.add(file, rows[0], frame)
+        sources, kept, frames = self._lines
+        more = len(rows) - 1
+        sources.extend(sources[-1:] * more)
+        kept.extend(rows[1:])
+        frames.extend(frames[-1:] * more)
+
+    def keep(self, count: int) -> None:
+        """Forget all lines but the first so many."""
+        for column in self._lines:
+            del column[count:]
+
     def origin(self, line: int) -> Origin:
         """Where a flat line (0-based) comes from."""
         sources, rows, frames = self._lines
@@ -77,17 +99,22 @@ class SourceMap:
 
     def document(self, file: str, named: Callable[[str], str] = str) -> dict[str, Any]:
         """The map as a Source Map v3 document of a flat program. ``named`` turns paths into what the map calls them."""
+        found: dict[str, Any] = json.loads("".join(self.texts(file, named)))
+        return found
+
+    def texts(self, file: str, named: Callable[[str], str] = str) -> Iterator[str]:
+        """The document in pieces of JSON: as a whole it would weigh ten times as much as the map."""
+        head = {"version": 3, "file": file, "sources": [named(each) for each in self.files], "names": []}
+        yield f'{_json(head)[:-1]},"mappings":"'
+        yield from _pieces(self._mappings(), ";")
+        yield '","x_deburr_frames":['
         parents, sources, rows, kinds, numbers = self._frames
-        frames = [[p, s, r, self._kinds[k], n] for p, s, r, k, n in zip(parents, sources, rows, kinds, numbers)]
-        return {
-            "version": 3,
-            "file": file,
-            "sources": [named(each) for each in self.files],
-            "names": [],
-            "mappings": ";".join(self._mappings()),
-            "x_deburr_frames": frames,
-            "x_deburr_lines": [list(each) for each in zip(*self._lines)],
-        }
+        said = [json.dumps(kind) for kind in self._kinds]
+        frames = zip(parents, sources, rows, map(said.__getitem__, kinds), numbers)
+        yield from _pieces((f"[{p},{s},{r},{k},{n}]" for p, s, r, k, n in frames), ",")
+        yield '],"x_deburr_lines":['
+        yield from _pieces((f"[{s},{r},{f}]" for s, r, f in zip(*self._lines)), ",")
+        yield "]}"
 
     def _mappings(self) -> Iterator[str]:
         """One segment a line, from its column 0 to column 0 of its source line."""
@@ -124,6 +151,19 @@ class SourceMap:
         return self._kinds.index(kind)
 
 
+def _json(value: Any) -> str:
+    return json.dumps(value, separators=(",", ":"))
+
+
+def _pieces(texts: Iterator[str], between: str) -> Iterator[str]:
+    """Texts joined by a sign, some thousands at a time."""
+    sign = ""
+    while block := between.join(islice(texts, _AT_ONCE)):
+        yield sign + block
+        sign = between
+
+
+@lru_cache(maxsize=4096)
 def _vlq(value: int) -> str:
     """A number in base 64 with the sign in its lowest bit."""
     rest = value << 1 if value >= 0 else (-value << 1) | 1

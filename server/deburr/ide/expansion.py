@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
-from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive, interpreter
+from deburr.expand import Budget, Inputs, Job, Kept, Program, SourceMap, drive, interpreter
 from deburr.finding import Severity
 from deburr.ran import before_a_run, merged, worded
 from deburr.source import eol_of
@@ -41,7 +41,7 @@ def expanding(
     for each in views:
         gathering = Analysis(each.document, each.ruleset, each.file, each.host, inputs=inputs).gathering()
         found += yield from _counting(gathering)
-    lines, source_map = _Lines(), SourceMap()
+    lines, source_map = Kept(), SourceMap()
     module = interpreter(view.dialect.name)
     found = before_a_run(found, view.dialect, len(views))
     if module is None or _wrong(found):
@@ -94,11 +94,3 @@ def _finding(fault: Fault, views: Sequence[View], job: Job) -> Finding:
     lines = split_lines(text)
     found = worded(fault, view.ruleset, lines[fault.line] if fault.line < len(lines) else "")
     return found._replace(severity=Severity.ERROR) if job.halted and fault is job.faults[-1] else found
-
-
-class _Lines:
-    """Lines in memory."""
-
-    def __init__(self) -> None:
-        self.lines: list[str] = []
-        self.line = self.lines.append

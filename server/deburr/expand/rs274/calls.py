@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 
 DEEPEST = 9
 """Calls that may be active at once (spec/rs274.md §6)."""
-CONTOURED = frozenset(("G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2"))
-"""Lathe cycles that read a subprogram as the contour of the part."""
 Start = tuple[Unit, int]
 """Where a subprogram starts."""
 

@@ -17,13 +17,14 @@ from deburr_grammar.line import LineNode, shapes_of
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
+    from deburr.expand.job import Job
     from deburr.expand.rs274.unit import Unit
     from deburr.fault import Frame
     from deburr.modal import State
     from deburr.rule import Report, Rule
-    from deburr.ruleset import RuleSet
+    from deburr_grammar.dialect import Dialect
     from deburr_grammar.line import Shape
 
 _MOST = 20_000
@@ -40,68 +41,123 @@ class _Step(NamedTuple):
     after: State
 
 
-class _Written(NamedTuple):
-    text: str
+class _Place(NamedTuple):
+    """Where flat lines come from, but for the row."""
+
     unit: Unit
-    row: int
     frame: Frame | None
+
+
+class _Lines:
+    """Flat lines with where they come from, in parallel columns, and their shapes as far as they are known."""
+
+    def __init__(self) -> None:
+        self.texts: list[str] = []
+        self.shapes: list[Shape | None] = []
+        self.rows: list[int] = []
+        self.numbers: list[int] = []
+        """Which lines of the flat program they are."""
+        self.places: list[_Place] = []
+
+    def __len__(self) -> int:
+        return len(self.texts)
+
+    def extend(
+        self, texts: Sequence[str], shapes: Sequence[Shape | None], rows: Sequence[int], place: _Place, behind: int
+    ) -> None:
+        """More lines of one place, the last that the flat program has: it has ``behind``."""
+        self.texts += texts
+        self.shapes += shapes
+        self.rows += rows
+        self.numbers += range(behind - len(texts), behind)
+        self.places += [place] * len(texts)
+
+    def take(self, other: _Lines, count: int) -> None:
+        """Add the first lines of others, as long as they are not too many."""
+        count = max(min(count, _MOST - len(self)), 0)
+        self.texts += other.texts[:count]
+        self.rows += other.rows[:count]
+        self.numbers += other.numbers[:count]
+        self.places += other.places[:count]
+
+    def known_shapes(self, dialect: Dialect) -> list[Shape]:
+        """The shapes of all."""
+        open_ones = [at for at, shape in enumerate(self.shapes) if shape is None]
+        read = shapes_of(dialect).read("\n".join(self.texts[at] for at in open_ones)) if open_ones else []
+        for at, shape in zip(open_ones, read):
+            self.shapes[at] = shape
+        return [shape for shape in self.shapes if shape is not None]
 
 
 class Judge:
     """Looks at what one run writes, some lines at a time: it raises for the first that the control refuses."""
 
-    def __init__(self, ruleset: RuleSet) -> None:
-        modal = modal_of(ruleset.dialect)
+    def __init__(self, job: Job) -> None:
+        modal = modal_of(job.ruleset.dialect)
         assert modal is not None, "the dialect says what its lines do"
-        self._ruleset = ruleset
+        self._job = job
+        self._ruleset = job.ruleset
         self._modal = modal
         self._state = modal.start
-        self._steps: dict[tuple[State, Shape], _Step] = {}
-        self._waiting: list[_Written] = []
-        self._first: list[_Written] = []
+        self._steps: dict[State, dict[Shape, _Step]] = {}
+        self._waiting = _Lines()
+        self._first = _Lines()
         """The first lines of the flat program, to be looked at together in the end."""
 
     def add(self, text: str, unit: Unit, row: int, frame: Frame | None) -> None:
         """A flat line and where it comes from."""
-        self._waiting.append(_Written(text, unit, row, frame))
+        self._waiting.extend((text,), (None,), (row,), _Place(unit, frame), self._job.emitted)
+
+    def copied(
+        self, texts: Sequence[str], shapes: Sequence[Shape], unit: Unit, rows: Sequence[int], frame: Frame | None
+    ) -> None:
+        """Flat lines of which the shapes are known."""
+        self._waiting.extend(texts, shapes, rows, _Place(unit, frame), self._job.emitted)
 
     def settle(self) -> None:
         """Judge the lines that wait."""
-        waiting, self._waiting = self._waiting, []
+        waiting, self._waiting = self._waiting, _Lines()
         if not waiting:
             return
-        shapes = shapes_of(self._ruleset.dialect).read("\n".join(each.text for each in waiting))
-        state, steps = self._state, self._steps
-        for at, (written, shape) in enumerate(zip(waiting, shapes)):
-            step = steps.get((state, shape)) or self._step(state, shape)
+        state = self._state
+        steps = self._under(state)
+        for at, shape in enumerate(waiting.known_shapes(self._ruleset.dialect)):
+            step = steps.get(shape) or self._step(steps, state, shape)
             if step.on_line or step.on_state:
                 try:
-                    self._judge(written, LineNode(written.text, PROGRAM, shape), step, state)
+                    self._judge(waiting, at, LineNode(waiting.texts[at], PROGRAM, shape), step, state)
                 except Halt:
-                    self._follow(waiting[:at])
+                    self._first.take(waiting, at)
+                    self._follow()
                     raise
-            state = step.after
+            if step.after is not state:
+                state = step.after
+                steps = self._under(state)
         self._state = state
-        self._first += waiting[: _MOST - len(self._first)]
+        self._first.take(waiting, len(waiting))
 
     def finish(self) -> None:
         """Judge what is left, and where the moves of the program lead."""
         self.settle()
-        self._follow([])
+        self._follow()
 
-    def _follow(self, more: list[_Written]) -> None:
+    def _follow(self) -> None:
         """Ask the rules that follow the tool through what was written."""
-        lines = [*self._first, *more]
         rules = [rule for rule in self._ruleset.on_whole if rule.short in _ON_MOVES]
-        document = Document.parse("\n".join(written.text for written in lines), self._ruleset.dialect)
+        document = Document.parse("\n".join(self._first.texts), self._ruleset.dialect)
         analysis = Analysis(document, self._ruleset)
         reports = ((rule, report) for rule in rules for report in rule.check(analysis))
         for rule, report in sorted(reports, key=lambda found: found[1].line):
-            self._raise(lines[report.line], document.node(report.line), rule, report)
+            self._raise(self._first, report.line, document.node(report.line), rule, report)
 
-    def _step(self, state: State, shape: Shape) -> _Step:
+    def _under(self, state: State) -> dict[Shape, _Step]:
         if len(self._steps) >= _MOST:
             self._steps.clear()
+        return self._steps.setdefault(state, {})
+
+    def _step(self, steps: dict[Shape, _Step], state: State, shape: Shape) -> _Step:
+        if len(steps) >= _MOST:
+            steps.clear()
         kinds = shape.facts(PROGRAM).kinds
         # A shape is a line of its own, and the sample of all lines that share it.
         sample = Line(LineNode(shape.text, PROGRAM, shape), self._ruleset.settings)
@@ -116,23 +172,25 @@ class Judge:
             )
         )
         on_line = self._ruleset.plan(shape, PROGRAM)
-        step = self._steps[state, shape] = _Step(on_line, on_state, self._modal.plain(state, PROGRAM, shape))
+        step = steps[shape] = _Step(on_line, on_state, self._modal.plain(state, PROGRAM, shape))
         return step
 
-    def _judge(self, written: _Written, node: LineNode, step: _Step, state: State) -> None:
+    def _judge(self, lines: _Lines, at: int, node: LineNode, step: _Step, state: State) -> None:
         for rule, report in self._said(node, step, state):
-            self._raise(written, node, rule, report)
+            self._raise(lines, at, node, rule, report)
 
-    def _raise(self, written: _Written, node: LineNode, rule: Rule, report: Report) -> None:
-        """End the run where an error is reported that no comment allows."""
+    def _raise(self, lines: _Lines, at: int, node: LineNode, rule: Rule, report: Report) -> None:
+        """End the run where an error is reported that no comment allows; of the flat program only what stands before is right."""
         severity = self._ruleset.severity(rule, report.severity)
         if severity is not Severity.ERROR:
             return
-        document, file, row = written.unit.document, written.unit.file, written.row
+        (unit, frame), row = lines.places[at], lines.rows[at]
+        document, file = unit.document, unit.file
         span = _in_source(report.span, node, document.node(row))
         place = Place(file, row, span.start, row, span.end)
         if not is_allowed(document, Finding(rule.name, severity, report.message, place)):
-            raise Halt(Fault(rule.short, file, row, span, report.message, written.frame))
+            self._job.keep(lines.numbers[at])
+            raise Halt(Fault(rule.short, file, row, span, report.message, frame))
 
     def _said(self, node: LineNode, step: _Step, state: State) -> Iterator[tuple[Rule, Report]]:
         yield from self._ruleset.on_line(node, step.on_line)

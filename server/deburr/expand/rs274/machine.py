@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.axes import AXES
-from deburr.expand.rs274.modes import GETTERS, Modes
+from deburr.expand.rs274.modes import GETTERS, STRAIGHT, Modes
 from deburr.expand.rs274.position import Position
 from deburr.expand.rs274.tools import Tool, read_tools
 
@@ -105,6 +105,24 @@ class Machine:
             if at in _OFFSETS:
                 self._position.set_parameter(at, self.state.params[at])
                 self.kept.append(at)
+
+    @property
+    def is_absolute(self) -> bool:
+        """Whether axis words are places in the active system, as they are written."""
+        return self.modes.g["distance"] == 900 and self.modes.g["lathe"] == 80 and self.state.contour is None
+
+    @property
+    def is_straight(self) -> bool:
+        """Whether the motion in force leads along lines or arcs."""
+        return self.modes.g["motion"] in STRAIGHT
+
+    def moved(self, motion: int | None, words: dict[str, float]) -> None:
+        """Absolute straight moves and arcs were executed, of which these are the last motion and words."""
+        if motion is not None:
+            self.modes.g["motion"] = motion
+        self.modes.feed = words.get("F", self.modes.feed)
+        self.modes.speed = words.get("S", self.modes.speed)
+        self._position.moved(words)
 
     def block(self, letters: Sequence[str], values: Sequence[float], maybe: bool) -> None:
         """A block with words was executed; ``maybe``: only if the operator's switch lets it."""

@@ -23,8 +23,8 @@ _GROUPS = {
 """Ten times each code, by its modal group."""
 GROUP_OF = {code: group for group, codes in _GROUPS.items() for code in codes}
 
-
-_TRACED = frozenset((0, 10, 20, 30))
+STRAIGHT = frozenset((0, 10, 20, 30))
+"""Motion along lines and arcs."""
 MM_PER_INCH = 25.4
 _RESTORED = ("length", "plane", "system", "path", "lathe", "distance", "arc", "retract", "spindle", "compensation")
 """Groups whose code M72 says again where it differs."""
@@ -80,7 +80,7 @@ class Modes:
 
     def trace(self, codes: Set[tuple[str, int]]) -> None:
         """A line of a contour: of all modes only the motion is heeded."""
-        self.g["motion"] = next((code for letter, code in codes if code in _TRACED), self.g["motion"])
+        self.g["motion"] = next((code for letter, code in codes if code in STRAIGHT), self.g["motion"])
 
     def restoring(self, saved: Modes) -> list[str]:
         """The lines that bring saved modes back as M72 does. It writes a feed with one decimal and a speed with none."""

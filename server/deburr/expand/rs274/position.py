@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence, Set
+from collections.abc import Mapping, Sequence, Set
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.axes import AXES, LINEAR, MACHINE_UNIT, Coordinates, minus, plus, times
@@ -89,6 +89,16 @@ class Position:
         for axis in (0, 2):
             if AXES[axis] in words:
                 self._at[axis] = plus(self._offset(axis), words[AXES[axis]] * self._unit(axis))
+
+    def moved(self, words: Mapping[str, float]) -> None:
+        """Straight moves in absolute mode: where their last words lead."""
+        self._retract = self._depth_level = None
+        if not _MOVING.isdisjoint(words):
+            self._tool_then = self._tool
+            self._at = [
+                plus(self._offset(axis), words[letter] * self._unit(axis)) if letter in words else self._at[axis]
+                for axis, letter in enumerate(AXES)
+            ]
 
     def set_parameter(self, at: int, value: float) -> None:
         """An offset was stored by its number."""

@@ -8,18 +8,17 @@ from typing import TYPE_CHECKING
 
 from deburr.expand.job import EXACT
 from deburr.expand.numbers import written
-from deburr.expand.rs274.calls import CONTOURED
-from deburr.expand.rs274.comments import ABORTS
+from deburr.expand.rs274.copying import CONTOURED, RUNS, is_plain, without_number
 from deburr.expand.rs274.files import first_values
 from deburr.expand.rs274.flow import Flow
+from deburr.expand.rs274.following import follow
 from deburr.expand.rs274.judge import Judge
 from deburr.expand.rs274.lines import DECIMALS, Line, Piece, text_of
 from deburr.expand.rs274.machine import Machine
 from deburr.expand.rs274.parts import last_values
 from deburr.expand.rs274.saved import SAVES, saving
 from deburr.expand.rs274.state import State
-from deburr.expand.rs274.straight import straight, without_number
-from deburr.expand.rs274.unit import ELSEWHERE, END, Op, Unit
+from deburr.expand.rs274.unit import COPIED, ELSEWHERE, END, Op, Unit
 from deburr.expand.rs274.values import name_of
 from deburr.fault import Entered, Halt
 from deburr_grammar.text import Span
@@ -33,9 +32,6 @@ if TYPE_CHECKING:
 _WATCHED = re.compile(r"#[ \t]*(?:5|#|\[)|[mM][ \t]*0*[ \t]*(?:7[ \t]*[03]|9[ \t]*8)")
 """What can read the position or bring modes back, or calls who knows what."""
 _GLOBAL = re.compile(r"#[ \t]*(<[ \t]*_[^<>\n]*>)")
-_RUNS = frozenset(("param", "setting", "group", "function", "atan", "exists", "CALL", "active"))
-_NOT_PLAIN = _RUNS | {"o_line", "PERCENT", "DELETE", "NUMBER_USED", "NAME_USED"}
-_FLOW_CODES = frozenset(("M2", "M30", "M70", "M71", "M72", "M73", "M98", "M99")) | CONTOURED
 
 
 def run(job: Job) -> Iterator[None]:
@@ -48,7 +44,7 @@ def worth_running(document: Document) -> bool:
     """Whether a run can find anything: without parameters, expressions and calls there is nothing that a check has not seen."""
     for piece in document.pieces():
         for reading, _, shapes in piece.read():
-            if reading.start is not None and any(not _RUNS.isdisjoint(s.facts(reading).kinds) for s in set(shapes)):
+            if reading.start is not None and any(not RUNS.isdisjoint(s.facts(reading).kinds) for s in set(shapes)):
                 return True
     return False
 
@@ -76,33 +72,53 @@ class Run:
         self.main = self.unit = unit
         self.row = 0
         self._watch = self._is_watched(unit)
-        row = ELSEWHERE
         if worth_running(unit.document):
-            self._judge = Judge(self.job.ruleset)
-        elif not self._watch:
-            row = yield from straight(self.job, unit, lambda row: self._compile(unit, row)())
-        while row != END:
-            if row == ELSEWHERE:
-                unit, row = self.unit, self.row
-            code, last = unit.code, len(unit.code)
-            left = self.job.slice(unit.file, min(row, last - 1), self.state.frame)
-            try:
+            self._judge = Judge(self.job)
+        row, left, pace = 0, 0, self.job.pace
+        try:
+            while row != END:
+                if row == ELSEWHERE:
+                    unit, row = self.unit, self.row
+                code, last = unit.code, len(unit.code)
+                steps = left = self.job.slice(unit.file, min(row, last - 1), self.state.frame)
                 while left and row >= 0:
                     if row >= last:
                         row = END
                         break
                     left -= 1
                     row = (code[row] or self._compiled(unit, row))()
-            except Halt:
-                # A line that was written before may be wrong, too.
-                self._finish()
-                raise
-            self.job.steps -= left
-            if not left:
-                if self._judge is not None:
-                    self._judge.settle()
-                yield
+                if row == COPIED:
+                    row, left = self._copied(unit, left + 1)
+                self.job.steps -= left
+                pace -= steps - left
+                if pace <= 0:
+                    pace = self.job.pace
+                    if self._judge is not None:
+                        self._judge.settle()
+                    yield
+        except Halt:
+            # A line that was written before may be wrong, too.
+            self._finish()
+            raise
         self._finish()
+
+    def _copied(self, unit: Unit, left: int) -> tuple[int, int]:
+        """Copy lines of the stretch that was found, as many as may be run; where the run goes on, and how many may still be run."""
+        stretch = self._stretch
+        part = stretch.part(0, left) if len(stretch.lines) > left else stretch
+        texts, rows, shapes = part.bare()
+        if self._watch:
+            follow(self.state.machine, part.lines, part.shapes)
+        frame = self.state.frame
+        if self.state.contour is not None:
+            self.state.contour += ((text, unit.file, row, frame) for text, row in zip(texts, rows))
+        else:
+            if self.job.inputs.keep_n:
+                texts, rows, shapes = part.lines, range(part.first, part.first + len(part.lines)), part.shapes
+            self.job.copy(texts, unit.file, rows, frame)
+            if self._judge is not None:
+                self._judge.copied(texts, shapes, unit, rows, frame)
+        return part.first + len(part.lines), left - len(part.lines)
 
     def emit(self, text: str, file: str, row: int, frame: Frame | None) -> None:
         """A flat line: to where they go, or to the contour that is being gathered."""
@@ -184,6 +200,10 @@ class Run:
         return f"`{line}` of line {row + 1}{passes}{last_values(self.state, unit, row)}"
 
     def _compiled(self, unit: Unit, row: int) -> Op:
+        stretch = unit.stretches.at(row)
+        if stretch is not None:
+            self._stretch = stretch
+            return _copied
         op = unit.code[row] = self._compile(unit, row)
         return op
 
@@ -196,7 +216,7 @@ class Run:
         if node.reading.start is None:
             return lambda: END
         kinds = node.kinds
-        if not node.text.strip() or (kinds.isdisjoint(_NOT_PLAIN) and not self._watch):
+        if is_plain(node.shape, node.reading) and not self._watch:
             return self._plain(unit, row, node)
         if "PERCENT" in kinds:
             return self._percent_line(unit, row, node)
@@ -204,11 +224,6 @@ class Run:
 
     def _plain(self, unit: Unit, row: int, node: LineNode) -> Op:
         """A line that is copied: nothing in it is to be calculated, and nobody asks for modes."""
-        flow = node.shape.memo.get("rs274 flow")
-        if flow is None:
-            flow = node.shape.memo["rs274 flow"] = not _FLOW_CODES.isdisjoint(Line(self.state, "", 0, node).codes())
-        if flow or ("COMMENT" in node.kinds and ABORTS.search(node.text)):
-            return self._block(unit, row, node)
         text = node.text
         if "line_number" in node.kinds and not self.job.inputs.keep_n:
             text = without_number(text)
@@ -298,3 +313,7 @@ class Run:
             value = written(self.state.params[at], self._decimals, self._minus_zero)
             self.emit(f"#{at}={value}", unit.file, row, self.state.frame)
         self.state.machine.kept.clear()
+
+
+def _copied() -> int:
+    return COPIED

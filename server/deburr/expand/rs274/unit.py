@@ -9,6 +9,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from deburr.analysis import Analysis
+from deburr.expand.rs274.copying import Stretches
 from deburr.finding import Severity
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.dialects.rs274.outline import label_of
@@ -21,8 +22,8 @@ if TYPE_CHECKING:
 _OF_PROGRAMS = ("program-end-missing", "percent")
 """What is wrong with a program that is none with a file that is called."""
 _LOOPS = ("while", "do")
-ELSEWHERE, END = -1, -2
-"""What a line gives instead of the next row: the run goes on in another file or subprogram, or is over."""
+ELSEWHERE, END, COPIED = -1, -2, -3
+"""What a line gives instead of the next row: the run goes on in another file or subprogram, is over, or a whole stretch is to be copied."""
 Op = Callable[[], int]
 """A compiled line: it runs and gives the next row, or one of the signs above."""
 
@@ -66,6 +67,7 @@ class Unit:
         """The rows of `return` and `endsub` of a subprogram that bear its own label."""
         self.passed: set[int] = set()
         """Rows of definitions that the run has come by or called."""
+        self.stretches = Stretches(self)
         self._read()
 
     def sub_behind(self, label: str, row: int) -> int | None:
@@ -168,7 +170,12 @@ class Unit:
     @cached_property
     def signs(self) -> tuple[int, ...]:
         """The rows of the first two percent signs."""
-        rows = (row for row in range(len(self.code)) if self.document.line(row).strip() == "%")
+        rows = (
+            piece.line + at
+            for piece in self.document.pieces()
+            for at, shape in enumerate(piece.chunk.shapes)
+            if shape.text.strip() == "%"
+        )
         return tuple(islice(rows, 2))
 
     @cached_property

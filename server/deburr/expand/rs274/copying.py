@@ -1,0 +1,117 @@
+"""Lines without values and flow: copied as they stand, a whole stretch at once, without a closure for each. Calculates nothing."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, NamedTuple
+
+from deburr.expand.rs274.comments import ABORTS
+from deburr.expand.rs274.words import codes_of
+from deburr_grammar.line import shapes_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from deburr.expand.rs274.unit import Unit
+    from deburr_grammar.dialect import Reading
+    from deburr_grammar.line import Shape
+
+RUNS = frozenset(("param", "setting", "group", "function", "atan", "exists", "CALL", "active"))
+"""What only a run can tell."""
+NOT_PLAIN = RUNS | {"o_line", "PERCENT", "DELETE", "NUMBER_USED", "NAME_USED"}
+CONTOURED = frozenset(("G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2"))
+"""Lathe cycles that read a subprogram as the contour of the part."""
+_FLOW = frozenset(("M2", "M30", "M70", "M71", "M72", "M73", "M98", "M99")) | CONTOURED
+"""Codes that end the program, go elsewhere, or need more than their own line."""
+_NUMBER = re.compile(r"(?m)^[ \t]*[nN][ \t]*[0-9][0-9 \t]*(?:\.[0-9 \t]*)?")
+SHORT = 64
+"""A stretch of fewer lines that is met again is compiled: it stands in a loop or a subprogram."""
+
+
+class Stretch(NamedTuple):
+    """Consecutive lines to copy: from which row on, as they stand in the source, with their shapes and whether any has a number."""
+
+    first: int
+    lines: Sequence[str]
+    shapes: Sequence[Shape]
+
+    def part(self, start: int, end: int) -> Stretch:
+        """Some of them."""
+        return Stretch(self.first + start, self.lines[start:end], self.shapes[start:end])
+
+    def bare(self) -> tuple[Sequence[str], Sequence[int], Sequence[Shape]]:
+        """The lines without their numbers, their rows and their shapes. A line that was only a number is none."""
+        rows: Sequence[int] = range(self.first, self.first + len(self.lines))
+        numbered = {shape: bare for shape in set(self.shapes) if (bare := _bare(shape)) is not shape}
+        if not numbered:
+            return self.lines, rows, self.shapes
+        texts = _NUMBER.sub("", "\n".join(self.lines)).split("\n")
+        shapes = [numbered.get(shape, shape) for shape in self.shapes]
+        if any(not shape.text.strip() for shape in numbered.values()):
+            kept = [at for at, text in enumerate(texts) if text.strip() or not self.lines[at].strip()]
+            return [texts[at] for at in kept], [rows[at] for at in kept], [shapes[at] for at in kept]
+        return texts, rows, shapes
+
+
+class Stretches:
+    """The plain stretches of one file, found chunk by chunk."""
+
+    def __init__(self, unit: Unit) -> None:
+        self._unit = unit
+        self._first = self._behind = 0
+        self._lines: list[str] = []
+        self._shapes: list[Shape] = []
+        self._plain = b""
+        self._met: set[int] = set()
+
+    def at(self, row: int) -> Stretch | None:
+        """The stretch that starts in a row; None if the line there is to be run, or compiled because it runs again."""
+        if not self._first <= row < self._behind:
+            self._read(row)
+        start = row - self._first
+        if start >= len(self._plain) or not self._plain[start]:
+            return None
+        end = self._plain.find(0, start)
+        end = len(self._plain) if end < 0 else end
+        if row in self._met and end - start < SHORT:
+            self._met.update(range(row, row + end - start))
+            return None
+        self._met.add(row)
+        return Stretch(row, self._lines[start:end], self._shapes[start:end])
+
+    def _read(self, row: int) -> None:
+        piece = self._unit.document.piece(row)
+        self._first, self._lines, self._shapes = piece.line, piece.chunk.lines, piece.chunk.shapes
+        self._behind = self._first + len(self._shapes)
+        self._plain = b"".join(
+            bytes(map({shape: is_plain(shape, reading) for shape in set(shapes)}.__getitem__, shapes))
+            for reading, _, shapes in piece.read()
+        )
+
+
+def is_plain(shape: Shape, reading: Reading) -> bool:
+    """Whether lines of a shape can be copied: nothing in them is to be calculated, and the next line is the next."""
+    key = ("rs274 plain", reading.name)
+    found = shape.memo.get(key)
+    if found is None:
+        facts = shape.facts(reading)
+        readable = reading.start is not None and not facts.problems and facts.kinds.isdisjoint(NOT_PLAIN)
+        found = readable and _FLOW.isdisjoint(codes_of(shape)) and not ABORTS.search(shape.text)
+        shape.memo[key] = found
+    return bool(found)
+
+
+def without_number(text: str) -> str:
+    """A line without its line number."""
+    match = _NUMBER.match(text)
+    return text[match.end() :] if match is not None else text
+
+
+def _bare(shape: Shape) -> Shape:
+    """The shape of a line without its number."""
+    found = shape.memo.get("rs274 bare")
+    if found is None:
+        text = without_number(shape.text)
+        found = shape.memo["rs274 bare"] = shape if text == shape.text else shapes_of(shape.dialect)[text]
+    assert isinstance(found, type(shape))
+    return found
