@@ -9,6 +9,7 @@ import pytest
 import deburr.expand.rs274
 from deburr.analysis import Analysis
 from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive
+from deburr.expand.rs274.values import Values
 from deburr.fault import Entered, Frame
 from deburr.finding import Severity
 from deburr.ran import ran
@@ -136,6 +137,41 @@ def test_plain_lines_are_copied_without_a_closure_for_each(monkeypatch: pytest.M
     assert found.lines[-2:] == ["G0 X428.4286 Y10", "M2"]
     assert len(found.lines) == 3_003
     assert len(set(read)) < 10
+
+
+def test_lines_that_differ_in_numbers_are_compiled_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    compiled: list[str] = []
+    value = Values.value
+    monkeypatch.setattr(Values, "value", lambda self, part: compiled.append(part.kind) or value(self, part))
+    lines = "".join(f"N{at} G1 X[{at}+#1] Y-{at}.5 Z[#1*{at / 8}] (no {at})\n" for at in range(1_000))
+    found = expansion(f"#1=.5 F100\n{lines}M2\n")
+    assert found.lines[1:3] == ["G1 X0.5 Y-0.5 Z0 (no 0)", "G1 X1.5 Y-1.5 Z0.0625 (no 1)"]
+    assert found.lines[1_000] == "G1 X999.5 Y-999.5 Z62.4375 (no 999)"
+    assert len(compiled) < 30
+
+
+SHARED = {
+    "numbers of parameters": ("#1=[1+1]\n#2=[1+2]\nG0 X[#1*10]\nG0 X[#2*10]", ["G0 X20", "G0 X30"]),
+    "digits in names": ("#<a1>=[1]\n#<a2>=[2]\nG0 X[#<a1>*3]\nG0 X[#<a2>*4]", ["G0 X3", "G0 X8"]),
+    "blanks in numbers": ("#1=1\nG0 X[1 2+#1] Y 3\nG0 X[3 4+#1] Y 5 6", ["G0 X13 Y 3", "G0 X35 Y 5 6"]),
+    "comments of other lengths": ("#1=1\nG0 X[2+#1] (33)\nG0 X[44+#1] (5) ;666", ["G0 X3 (33)", "G0 X45 (5) ;666"]),
+    "signs": ("#1=1\nG0 X-[2+#1] Y--3\nG0 X-[20+#1] Y--30", ["G0 X-3 Y--3", "G0 X-21 Y--30"]),
+    "codes are no arguments": ("#1=1\nG0 X#1 F2\nG1 X#1 F3", ["G0 X1 F2", "G1 X1 F3"]),
+    "points": ("#1=1\nG0 X[.5+#1] Y1. Z.5\nG0 X[.25+#1] Y10. Z.125", ["G0 X1.5 Y1. Z.5", "G0 X1.25 Y10. Z.125"]),
+    "the same line again": ("#1=1\no1 while [#1 LT 4]\nG0 X[2*#1]\nG0 X[30*#1]\n#1=[#1+1]\no1 endwhile",
+                            ["G0 X2", "G0 X30", "G0 X4", "G0 X60", "G0 X6", "G0 X90"]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SHARED)
+def test_what_lines_of_one_shape_share_and_what_not(name: str) -> None:
+    program, lines = SHARED[name]
+    assert expansion(f"{program}\nM2\n").lines == [*lines, "M2"]
+
+
+def test_a_fault_of_a_shared_line_is_at_its_own_columns() -> None:
+    fault = expansion("#1=0\nG0 X[5+#1]\nG0 X[5/[1+#1]]\nG0 X[1234/[0+#1]] (x)\nM2\n").faults[-1]
+    assert (fault.line, fault.span, "`1234/[0+#1]`" in fault.message) == (3, (10, 16), True)
 
 
 FOLLOWED = {

@@ -137,7 +137,7 @@ class Calls:
         """A lathe cycle: the control needs the contour as a subprogram, so the flat program has it, too, with values in it."""
         run, state, span = self._run, self._state, Span(0, len(line.node.text.rstrip()))
         at = next(at for at, word in enumerate(line.words) if word.letter == "Q")
-        read, write = run.read(unit, row, line), run.write(unit, row, line, line.pieces(computed="Q"))
+        read, write = run.read(line), run.write(unit, row, line, line.pieces(computed="Q"))
         number = line.values.integer(line.words[at].part)
 
         def called() -> int:

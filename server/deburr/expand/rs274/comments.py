@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from deburr.expand.rs274.values import name_of
 
 if TYPE_CHECKING:
+    from deburr.expand.rs274.source import Spot
     from deburr.expand.rs274.state import State
     from deburr.fault import Halt
-    from deburr_grammar.text import Span
 
 ABORTS = re.compile(r"\([ \t]*abort[ \t]*,", re.I)
 """A comment that stops the program."""
@@ -31,10 +31,10 @@ _FLAT = {"debug": "(MSG,{})", "print": "(PRINT,{})", "log": "(LOG,{})"}
 class Comment:
     """The last comment of a line. ``plain`` ones are copied."""
 
-    def __init__(self, state: State, file: str, row: int, span: Span, text: str) -> None:
+    def __init__(self, state: State, spot: Spot) -> None:
         self._state = state
-        self._place = (file, row, span)
-        self._text = text
+        self._spot = spot
+        self._text = text = spot.source.said(spot.part)
         match = _ACTIVE.match(text)
         self._kind = match[1].lower() if match is not None else ""
         self._said = text[match.end() :].removesuffix(")") if match is not None else ""
@@ -52,8 +52,10 @@ class Comment:
         return _FLAT[self._kind].format(said)
 
     def _aborted(self, said: str) -> Halt:
-        file, row, span = self._place
-        return self._state.fault("abort", file, row, span, f"the program stops itself here: {said.strip()}")
+        source, part = self._spot
+        return self._state.fault(
+            "abort", source.file, source.row, source.span(part), f"the program stops itself here: {said.strip()}"
+        )
 
     def _filled(self) -> str:
         """Formats hold until the next one on the line (spec/rs274.md §1.5)."""
@@ -83,9 +85,9 @@ class Comment:
         if name is not None:
             known = name_of(name)
             if (predefined := state.machine.named(known)) is not None:
-                return predefined(*self._place)
+                return predefined(self._spot)
             return (state.globals if known.startswith("_") else state.locals).get(known)
         at = int(number or 0)
         if at > state.last:
             return None
-        return state.machine.number(at, *self._place) if at in state.machine.special else state.params[at]
+        return state.machine.number(at, self._spot) if at in state.machine.special else state.params[at]

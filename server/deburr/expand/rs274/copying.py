@@ -5,24 +5,15 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.expand.rs274.comments import ABORTS
-from deburr.expand.rs274.words import codes_of
+from deburr.expand.rs274.shapes import fixed, is_plain
 from deburr_grammar.line import shapes_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from deburr.expand.rs274.unit import Unit
-    from deburr_grammar.dialect import Reading
     from deburr_grammar.line import Shape
 
-RUNS = frozenset(("param", "setting", "group", "function", "atan", "exists", "CALL", "active"))
-"""What only a run can tell."""
-NOT_PLAIN = RUNS | {"o_line", "PERCENT", "DELETE", "NUMBER_USED", "NAME_USED"}
-CONTOURED = frozenset(("G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2"))
-"""Lathe cycles that read a subprogram as the contour of the part."""
-_FLOW = frozenset(("M2", "M30", "M70", "M71", "M72", "M73", "M98", "M99")) | CONTOURED
-"""Codes that end the program, go elsewhere, or need more than their own line."""
 _NUMBER = re.compile(r"(?m)^[ \t]*[nN][ \t]*[0-9][0-9 \t]*(?:\.[0-9 \t]*)?")
 SHORT = 64
 """A stretch of fewer lines that is met again is compiled: it stands in a loop or a subprogram."""
@@ -62,6 +53,7 @@ class Stretches:
         self._lines: list[str] = []
         self._shapes: list[Shape] = []
         self._plain = b""
+        self._shared = b""
         self._met: set[int] = set()
 
     def at(self, row: int) -> Stretch | None:
@@ -79,26 +71,24 @@ class Stretches:
         self._met.add(row)
         return Stretch(row, self._lines[start:end], self._shapes[start:end])
 
+    def shared(self, row: int) -> tuple[str, Shape] | None:
+        """The line of a row that was just asked for, if it is compiled with all others of its shape."""
+        at = row - self._first
+        return (self._lines[at], self._shapes[at]) if at < len(self._shared) and self._shared[at] else None
+
     def _read(self, row: int) -> None:
         piece = self._unit.document.piece(row)
         self._first, self._lines, self._shapes = piece.line, piece.chunk.lines, piece.chunk.shapes
         self._behind = self._first + len(self._shapes)
-        self._plain = b"".join(
-            bytes(map({shape: is_plain(shape, reading) for shape in set(shapes)}.__getitem__, shapes))
-            for reading, _, shapes in piece.read()
-        )
-
-
-def is_plain(shape: Shape, reading: Reading) -> bool:
-    """Whether lines of a shape can be copied: nothing in them is to be calculated, and the next line is the next."""
-    key = ("rs274 plain", reading.name)
-    found = shape.memo.get(key)
-    if found is None:
-        facts = shape.facts(reading)
-        readable = reading.start is not None and not facts.problems and facts.kinds.isdisjoint(NOT_PLAIN)
-        found = readable and _FLOW.isdisjoint(codes_of(shape)) and not ABORTS.search(shape.text)
-        shape.memo[key] = found
-    return bool(found)
+        plain, shared = [], []
+        for reading, _, shapes in piece.read():
+            distinct = set(shapes)
+            plain.append(bytes(map({shape: is_plain(shape, reading) for shape in distinct}.__getitem__, shapes)))
+            live = reading.start is not None
+            shared.append(
+                bytes(map({shape: live and fixed(shape) is not None for shape in distinct}.__getitem__, shapes))
+            )
+        self._plain, self._shared = b"".join(plain), b"".join(shared)
 
 
 def without_number(text: str) -> str:

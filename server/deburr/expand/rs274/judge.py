@@ -41,11 +41,8 @@ class _Step(NamedTuple):
     after: State
 
 
-class _Place(NamedTuple):
-    """Where flat lines come from, but for the row."""
-
-    unit: Unit
-    frame: Frame | None
+_Place = tuple["Unit", "Frame | None"]
+"""Where flat lines come from, but for the row."""
 
 
 class _Lines:
@@ -61,6 +58,14 @@ class _Lines:
 
     def __len__(self) -> int:
         return len(self.texts)
+
+    def append(self, text: str, row: int, place: _Place, number: int) -> None:
+        """One more line."""
+        self.texts.append(text)
+        self.shapes.append(None)
+        self.rows.append(row)
+        self.numbers.append(number)
+        self.places.append(place)
 
     def extend(
         self, texts: Sequence[str], shapes: Sequence[Shape | None], rows: Sequence[int], place: _Place, behind: int
@@ -106,13 +111,13 @@ class Judge:
 
     def add(self, text: str, unit: Unit, row: int, frame: Frame | None) -> None:
         """A flat line and where it comes from."""
-        self._waiting.extend((text,), (None,), (row,), _Place(unit, frame), self._job.emitted)
+        self._waiting.append(text, row, (unit, frame), self._job.emitted - 1)
 
     def copied(
         self, texts: Sequence[str], shapes: Sequence[Shape], unit: Unit, rows: Sequence[int], frame: Frame | None
     ) -> None:
         """Flat lines of which the shapes are known."""
-        self._waiting.extend(texts, shapes, rows, _Place(unit, frame), self._job.emitted)
+        self._waiting.extend(texts, shapes, rows, (unit, frame), self._job.emitted)
 
     def settle(self) -> None:
         """Judge the lines that wait."""

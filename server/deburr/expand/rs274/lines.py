@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.expand.numbers import written
 from deburr.expand.rs274.comments import Comment
-from deburr.expand.rs274.values import Get, Put, Values
+from deburr.expand.rs274.source import Source, Spot
+from deburr.expand.rs274.values import Get, Numbers, Put, Values
 from deburr_grammar.codes import code_number
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
@@ -38,10 +40,12 @@ class Word(NamedTuple):
 class Line:
     """What a line without flow holds."""
 
-    def __init__(self, state: State, file: str, row: int, node: LineNode) -> None:
+    def __init__(self, state: State, source: Source, node: LineNode, numbers: Numbers | None = None) -> None:
+        """``node``: the line itself, or the sample of its shape, in columns of which the source is then asked."""
         self.node = node
+        self.source = source
         self._keep_n = state.job.inputs.keep_n
-        self.values = Values(state, file, row, node.text)
+        self.values = Values(state, source, numbers)
         self.words: list[Word] = []
         self.settings: list[tuple[Callable[[], Put], Get]] = []
         self.comment: Comment | None = None
@@ -52,8 +56,7 @@ class Line:
         acting = [part for part, _ in self._parts if part.kind in ("COMMENT", "active")]
         self._acting = acting[-1] if acting else None
         if self._acting is not None:
-            span = Span(self._acting.start, self._acting.end)
-            self.comment = Comment(state, file, row, span, self.values.said(self._acting))
+            self.comment = Comment(state, Spot(source, self._acting))
 
     def _take(self, part: Node | Token) -> None:
         number = -1
@@ -71,7 +74,7 @@ class Line:
         code = code_number(self.values.said(part)) if letter in "GM" and isinstance(value, Token) else ""
         return Word(letter, self.values.value(value), _is_literal(value), code, value)
 
-    @property
+    @cached_property
     def deleted(self) -> bool:
         """Whether the line begins with `/`."""
         return self.node.tree.find("DELETE") is not None
@@ -91,23 +94,30 @@ class Line:
         ``leave_out``: codes, and letters, of words that are not written.
         ``computed``: letters of words whose values are written anew though they are literal.
         """
+        text = self.node.text
+        found = self.stretches(leave_out, computed)
+        return _joined([text[piece.start : piece.end] if isinstance(piece, Span) else piece for piece in found])
+
+    def stretches(self, leave_out: frozenset[str] = frozenset(), computed: str = "") -> list[Span | int]:
+        """The same with columns in place of text."""
         at = self._start(False)
-        head = self.node.text[self._start(self._keep_n) : at]
-        pieces: list[Piece] = []
+        head = Span(self._start(self._keep_n), at)
+        found: list[Span | int] = []
         for part, number in self._parts:
-            pieces.append(self.node.text[at : part.start])
+            found.append(Span(at, part.start))
             at = part.end
             word = self.words[number] if number >= 0 else None
             left_out = word is not None and (word.code in leave_out or word.letter in leave_out)
             if part.kind == "setting" or left_out:
                 at = _behind_blanks(self.node.text, at)
             elif word is not None and (not word.literal or word.letter in computed):
-                pieces += [self.node.text[part.start], number]
+                found += [Span(part.start, part.start + 1), number]
             else:
-                pieces.append(ACTS if part is self._acting else self.node.text[part.start : at])
-        pieces.append(self.node.text[at:])
+                found.append(ACTS if part is self._acting else Span(part.start, at))
+        found.append(Span(at, len(self.node.text)))
         # A line number alone is no line.
-        return _joined([head, *pieces]) if _joined(pieces) else []
+        blank = all(isinstance(piece, Span) and not self.node.text[piece.start : piece.end].strip() for piece in found)
+        return [] if blank else [head, *found]
 
     def _start(self, keep_n: bool) -> int:
         """Where the flat line begins: behind block delete and line number."""
@@ -142,14 +152,14 @@ def _parts(tree: Node) -> Iterator[Node | Token]:
 
 
 def _joined(pieces: list[Piece]) -> list[Piece]:
-    """Neighbouring text as one piece; blanks alone are nothing."""
+    """Neighbouring text as one piece."""
     joined: list[Piece] = []
     for piece in pieces:
         if isinstance(piece, str) and joined and isinstance(joined[-1], str):
             joined[-1] += piece
         elif piece != "":
             joined.append(piece)
-    return [] if all(isinstance(piece, str) and not piece.strip() for piece in joined) else joined
+    return joined
 
 
 def _is_literal(value: Node | Token) -> bool:

@@ -19,10 +19,10 @@ from deburr.expand.rs274.tools import Tool, read_tools
 
 if TYPE_CHECKING:
     from deburr.expand.job import Job
+    from deburr.expand.rs274.source import Spot
     from deburr.expand.rs274.state import State
-    from deburr_grammar.text import Span
 
-Known = Callable[[str, int, "Span"], float]
+Known = Callable[["Spot"], float]
 """What reads a predefined value: it is given the place, to be named if only the machine knows."""
 _PROBED = range(5061, 5071)
 _INPUT = 5399
@@ -67,35 +67,35 @@ class Machine:
         """All that it holds, to be compared."""
         return (self._selected, self._tool, vars(self.modes.copy()), *self._position.values())
 
-    def number(self, at: int, file: str, row: int, span: Span) -> float:
+    def number(self, at: int, spot: Spot) -> float:
         """The value of a special parameter."""
         if at in _POSITION:
-            return self._known(self._position.axis(at - _POSITION[0]), f"#{at}", "the position", file, row, span)
+            return self._known(self._position.axis(at - _POSITION[0]), f"#{at}", "the position", spot)
         if at in _TOOL:
             value = self._tool.value(at - _TOOL[0]) if self._tool is not None else None
-            return self._known(value, f"#{at}", "the tool in the spindle", file, row, span)
+            return self._known(value, f"#{at}", "the tool in the spindle", spot)
         if at in _OFFSETS:
-            return self._offset(at, file, row, span)
+            return self._offset(at, spot)
         if at in _CHANGER:
-            return self._known(0.0 if self._simulate else None, f"#{at}", "the tool changer", file, row, span)
+            return self._known(0.0 if self._simulate else None, f"#{at}", "the tool changer", spot)
         what = "the input" if at == _INPUT else "the probe"
         asked = at in self._set or self._simulate
-        return self._known(self.state.params[at] if asked else None, f"#{at}", what, file, row, span)
+        return self._known(self.state.params[at] if asked else None, f"#{at}", what, spot)
 
     def named(self, name: str) -> Known | None:
         """What reads a predefined name; None if it is none."""
         getter = GETTERS.get(name)
         if getter is not None:
             modes = self.modes
-            return lambda file, row, span: getter(modes)
+            return lambda spot: getter(modes)
         axis = AXES.find(name[1:].upper()) if len(name) == 2 and name[0] == "_" else -1
         if axis >= 0:
-            return lambda file, row, span: self.number(_POSITION[axis], file, row, span)
+            return lambda spot: self.number(_POSITION[axis], spot)
         own = self._own(name)
         if own is not None:
             return own
         if name in _OF_MACHINE or name.startswith(("_hal[", "_ini[", "_abs_")):
-            return lambda file, row, span: self._outside(name, file, row, span)
+            return lambda spot: self._outside(name, spot)
         return None
 
     def written(self, at: int) -> None:
@@ -180,43 +180,42 @@ class Machine:
         state = self.state
         match name:
             case "_value":
-                return lambda file, row, span: state.value
+                return lambda spot: state.value
             case "_value_returned":
-                return lambda file, row, span: state.value_returned
+                return lambda spot: state.value_returned
             case "_call_level":
-                return lambda file, row, span: float(len(state.calls))
+                return lambda spot: float(len(state.calls))
             case "_line":
-                return lambda file, row, span: float(row + 1)
+                return lambda spot: float(spot.source.row + 1)
             case "_tool_offset":
-                return lambda file, row, span: self._known(
-                    self._position.is_offset(), "#<_tool_offset>", "the tool", file, row, span
-                )
+                return lambda spot: self._known(self._position.is_offset(), "#<_tool_offset>", "the tool", spot)
             case "_selected_tool":
-                return lambda file, row, span: float(self._selected)
+                return lambda spot: float(self._selected)
             case "_current_tool":
-                return lambda file, row, span: self.number(_TOOL[0], file, row, span)
+                return lambda spot: self.number(_TOOL[0], spot)
             case _:
                 return None
 
-    def _offset(self, at: int, file: str, row: int, span: Span) -> float:
+    def _offset(self, at: int, spot: Spot) -> float:
         """Offsets are kept in the machine's own unit; zero is the same in all."""
         value = self.state.params[at]
         if math.isnan(value):
-            return self._known(None, f"#{at}", "the position", file, row, span)
+            return self._known(None, f"#{at}", "the position", spot)
         if at == 5220 or at == 5210 or value == 0 or at in self._set or self._simulate:
             return value
-        return self._known(None, f"#{at}", "the unit of the machine", file, row, span)
+        return self._known(None, f"#{at}", "the unit of the machine", spot)
 
-    def _known(self, value: float | None, said: str, what: str, file: str, row: int, span: Span) -> float:
+    def _known(self, value: float | None, said: str, what: str, spot: Spot) -> float:
         if value is None:
             message = f"`{said}` hangs on {what}, which only the machine knows here"
-            raise self.state.fault("runtime-value", file, row, span, message)
+            source, part = spot
+            raise self.state.fault("runtime-value", source.file, source.row, source.span(part), message)
         return value
 
-    def _outside(self, name: str, file: str, row: int, span: Span) -> float:
+    def _outside(self, name: str, spot: Spot) -> float:
         if self._simulate and name in _SIMULATED:
             return _SIMULATED[name]
-        return self._known(None, f"#<{name}>", "the machine", file, row, span)
+        return self._known(None, f"#<{name}>", "the machine", spot)
 
 
 _SIMULATED = {"_task": 0.0, "_vmajor": _VERSION, "_vminor": 0.0, "_remap_level": 0.0}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from deburr.expand.rs274.source import Source
 from deburr.expand.rs274.values import Get, Values
 from deburr.fault import Halt
 from deburr_grammar.dialects.rs274.outline import label_of
@@ -21,7 +22,7 @@ class Parts:
     """A line with an O-word taken apart. ``literal``: its label, if the line alone tells it."""
 
     def __init__(self, state: State, unit: Unit, row: int, node: LineNode, o_line: Node) -> None:
-        values = Values(state, unit.file, row, node.text)
+        values = Values(state, Source(unit.file, row, node.text))
         self.arguments: list[Get] = [values.value(part) for part in o_line.nodes() if part.kind == "group"]
         self.value: Get | None = self.arguments[0] if self.arguments else None
         label = o_line.node("label")
@@ -49,7 +50,7 @@ def condition(state: State, unit: Unit, row: int) -> Get | None:
     node = unit.document.node(row)
     groups = (part for o_line in node.find("o_line") for part in o_line.nodes() if part.kind == "group")
     group = next(groups, None)
-    return Values(state, unit.file, row, node.text).value(group) if group is not None else None
+    return Values(state, Source(unit.file, row, node.text)).value(group) if group is not None else None
 
 
 def last_values(state: State, unit: Unit, row: int) -> str:
@@ -57,7 +58,7 @@ def last_values(state: State, unit: Unit, row: int) -> str:
     block = unit.blocks.get(row)
     at = block.close if block is not None and block.kind == "do" and block.close < len(unit.code) else row
     node = unit.document.node(at)
-    values = Values(state, unit.file, at, node.text)
+    values = Values(state, Source(unit.file, at, node.text))
     said = {}
     for param in node.find("param"):
         try:

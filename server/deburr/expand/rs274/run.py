@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from deburr.expand.job import EXACT
 from deburr.expand.numbers import written
-from deburr.expand.rs274.copying import CONTOURED, RUNS, is_plain, without_number
+from deburr.expand.rs274.copying import without_number
 from deburr.expand.rs274.files import first_values
 from deburr.expand.rs274.flow import Flow
 from deburr.expand.rs274.following import follow
@@ -17,7 +17,10 @@ from deburr.expand.rs274.lines import DECIMALS, Line, Piece, text_of
 from deburr.expand.rs274.machine import Machine
 from deburr.expand.rs274.parts import last_values
 from deburr.expand.rs274.saved import SAVES, saving
+from deburr.expand.rs274.shapes import CONTOURED, RUNS, is_plain
+from deburr.expand.rs274.source import Source
 from deburr.expand.rs274.state import State
+from deburr.expand.rs274.template import Templates
 from deburr.expand.rs274.unit import COPIED, ELSEWHERE, END, Op, Unit
 from deburr.expand.rs274.values import name_of
 from deburr.fault import Entered, Halt
@@ -61,6 +64,7 @@ class Run:
         first_values(self.state)
         machine.started()
         self._flow = Flow(self)
+        self._templates = Templates(self)
         self._percent = False
         self._judge: Judge | None = None
         decimals = job.inputs.decimals
@@ -131,7 +135,7 @@ class Run:
 
     def written(self, unit: Unit, row: int, line: Line, pieces: list[Piece], behind: int) -> Op:
         """A line that is calculated, set and written."""
-        read, write = self.read(unit, row, line), self.write(unit, row, line, pieces)
+        read, write = self.read(line), self.write(unit, row, line, pieces)
 
         def executed() -> int:
             write(read())
@@ -139,7 +143,7 @@ class Run:
 
         return executed
 
-    def read(self, unit: Unit, row: int, line: Line) -> Callable[[], list[float]]:
+    def read(self, line: Line) -> Callable[[], list[float]]:
         """What calculates the words of a line and then sets its parameters."""
         settings, gets, kept = line.settings, [word.get for word in line.words], self.state.machine.kept
         if not settings:
@@ -151,7 +155,7 @@ class Run:
             for put, value in puts:
                 put(value)
             if kept:
-                self._keep(unit, row)
+                self._keep(line.source)
             return values
 
         return calculated
@@ -204,7 +208,11 @@ class Run:
         if stretch is not None:
             self._stretch = stretch
             return _copied
-        op = unit.code[row] = self._compile(unit, row)
+        shared = unit.stretches.shared(row)
+        op = self._templates.op(unit, row, *shared) if shared else self._compile(unit, row)
+        if unit.met[row] or not shared:
+            unit.code[row] = op
+        unit.met[row] = True
         return op
 
     def _compile(self, unit: Unit, row: int) -> Op:
@@ -248,7 +256,7 @@ class Run:
         return sign
 
     def _block(self, unit: Unit, row: int, node: LineNode) -> Op:
-        line = Line(self.state, unit.file, row, node)
+        line = Line(self.state, Source(unit.file, row, node.text), node)
         codes = line.codes()
         delete = self.job.inputs.block_delete if line.deleted else False
         if delete is True:
@@ -292,7 +300,7 @@ class Run:
                 put = target()
                 put(get())
                 if kept:
-                    self._keep(unit, row)
+                    self._keep(line.source)
                 return behind
 
             return one
@@ -302,16 +310,16 @@ class Run:
             for put, value in puts:
                 put(value)
             if kept:
-                self._keep(unit, row)
+                self._keep(line.source)
             return behind
 
         return several
 
-    def _keep(self, unit: Unit, row: int) -> None:
+    def _keep(self, source: Source) -> None:
         """Offsets that were set stay in the flat program: they move what follows."""
         for at in self.state.machine.kept:
             value = written(self.state.params[at], self._decimals, self._minus_zero)
-            self.emit(f"#{at}={value}", unit.file, row, self.state.frame)
+            self.emit(f"#{at}={value}", source.file, source.row, self.state.frame)
         self.state.machine.kept.clear()
 
 

@@ -57,6 +57,8 @@ class Unit:
         self.file = file
         self.document = document
         self.code: list[Op | None] = [None] * document.line_count
+        self.met = bytearray(document.line_count)
+        """Which lines have run: one that shares what is compiled is only kept when it runs again."""
         self.blocks: dict[int, Block] = {}
         """The block of each row with a flow command: the one that it opens, closes, branches or leaves."""
         self.subs: dict[str, list[int]] = {}

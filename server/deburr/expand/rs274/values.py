@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from deburr.arithmetic import Refusal
 from deburr.arithmetic.rs274 import TOLERANCE, atan, function, number, operation, spelled
+from deburr.expand.rs274.source import Source, Spot
 from deburr.expand.rs274.state import READ_ONLY
 from deburr.suggest import suggestion
-from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
 if TYPE_CHECKING:
@@ -25,14 +25,29 @@ _NEVER_REFUSED = frozenset(("sum", "product", "modulo", "logical"))
 _OPERATIONS = frozenset(("sum", "product", "quotient", "modulo", "power", "comparison", "logical"))
 
 
-class Values:
-    """Compiles the values of one line."""
+class Numbers:
+    """The literal numbers of a line that are arguments of what is compiled. ``places``: which number of the line starts in which column."""
 
-    def __init__(self, state: State, file: str, row: int, text: str) -> None:
+    def __init__(self, places: Mapping[int, int]) -> None:
+        self._places = places
+        self.used: list[int] = []
+        self.values: list[float] = []
+        """Of the line at hand, those that are used."""
+
+    def add(self, column: int) -> int:
+        """Use the number in a column; where its value will stand."""
+        self.used.append(self._places[column])
+        return len(self.used) - 1
+
+
+class Values:
+    """Compiles the values of one line, or of all lines that differ only in numbers."""
+
+    def __init__(self, state: State, source: Source, numbers: Numbers | None = None) -> None:
+        """``numbers``: those that differ among the lines for which the values are compiled."""
         self._state = state
-        self._file = file
-        self._row = row
-        self._text = text
+        self._source = source
+        self._numbers = numbers
         self._near = TOLERANCE[state.job.settings["compare"]]
         self._begun: set[str] = set()
         """Names that are set further to the left on the line: the control has made them, without a value."""
@@ -40,18 +55,19 @@ class Values:
     def value(self, part: Node | Token) -> Get:
         """What calculates a value."""
         if isinstance(part, Token):
-            literal = number(self._text[part.start : part.end])
-            return lambda: literal
+            return self._literal(part)
         if part.kind in _OPERATIONS:
             return self._operation(part)
         match part.kind:
             case "signed":
                 inner = self.value(part.children[1])
-                return inner if self._text[part.start] == "+" else lambda: -inner()
+                return inner if self._source.sample[part.start] == "+" else lambda: -inner()
             case "param":
                 return self._read(part)
             case "function":
-                return self._one(part, function(spelled(self._text, part.children[0])), self.value(part.children[1]))
+                return self._one(
+                    part, function(spelled(self._source.sample, part.children[0])), self.value(part.children[1])
+                )
             case "atan":
                 return self._two(part, atan, self.value(part.children[1]), self.value(part.children[3]))
             case "exists":
@@ -63,8 +79,9 @@ class Values:
 
     def integer(self, part: Node | Token, rule: str = "integer-required") -> Callable[[], int]:
         """A value that must be near an integer."""
-        get = self.value(part)
+        return self._nearest(part, self.value(part), rule)
 
+    def _nearest(self, part: Node | Token, get: Get, rule: str) -> Callable[[], int]:
         def found() -> int:
             value = get()
             nearest = round(value)
@@ -103,11 +120,18 @@ class Values:
 
     def said(self, part: Node | Token) -> str:
         """The text of a part."""
-        return self._text[part.start : part.end]
+        return self._source.said(part)
 
     def halt(self, kind: str, part: Node | Token, message: str) -> Halt:
         """The end of the run at a part of this line."""
-        return self._state.fault(kind, self._file, self._row, Span(part.start, part.end), message)
+        return self._state.fault(kind, self._source.file, self._source.row, self._source.span(part), message)
+
+    def _literal(self, part: Token) -> Get:
+        if self._numbers is not None:
+            values, at = self._numbers.values, self._numbers.add(part.start)
+            return lambda: values[at]
+        literal = number(self.said(part))
+        return lambda: literal
 
     def _group(self, part: Node) -> Get:
         """Brackets: what they give must be a finite number."""
@@ -128,7 +152,7 @@ class Values:
 
     def _operation(self, part: Node) -> Get:
         left, sign, right = part.children
-        operator = spelled(self._text, sign)
+        operator = spelled(self._source.sample, sign)
         a, b = self.value(left), self.value(right)
         apply = operation(operator, self._near)
         if part.kind == "comparison":
@@ -174,7 +198,7 @@ class Values:
 
     def _warn_near(self, part: Node, left: float, right: float) -> None:
         message = f"`{self.said(part)}` compares {left!r} with {right!r}: controls before and from LinuxCNC 2.9 decide it differently"
-        self._state.warn("compare-near", self._file, self._row, Span(part.start, part.end), message)
+        self._state.warn("compare-near", self._source.file, self._source.row, self._source.span(part), message)
 
     def _exists(self, part: Node) -> Get:
         param = part.children[2]
@@ -200,7 +224,7 @@ class Values:
             return self._read_named(param, name)
         read = self._state.machine.number
         params, special = self._state.params, self._state.machine.special
-        span = Span(param.start, param.end)
+        spot = Spot(self._source, param)
         index = self._index(param)
         if isinstance(param.children[1], Token):
             at = index()
@@ -209,13 +233,18 @@ class Values:
 
         def found() -> float:
             at = index()
-            return params[at] if at not in special else read(at, self._file, self._row, span)
+            return params[at] if at not in special else read(at, spot)
 
         return found
 
     def _index(self, param: Node) -> Callable[[], int]:
-        index = self.integer(param.children[1])
-        last = self._state.last
+        said, last = param.children[1], self._state.last
+        if isinstance(said, Token):
+            # Lines that share what is compiled share the numbers of their parameters.
+            value = number(self.said(said))
+            index = self._nearest(said, lambda: value, "integer-required")
+        else:
+            index = self.integer(said)
 
         def found() -> int:
             at = index()
@@ -230,8 +259,8 @@ class Values:
     def _read_named(self, param: Node, name: str) -> Get:
         known = self._state.machine.named(name)
         if known is not None:
-            span = Span(param.start, param.end)
-            return lambda: known(self._file, self._row, span)
+            spot = Spot(self._source, param)
+            return lambda: known(spot)
         state = self._state
         is_global = name.startswith("_")
         begun = name in self._begun

@@ -13,9 +13,11 @@ from deburr_grammar.tree import Node, Token, walk
 if TYPE_CHECKING:
     from deburr_grammar.line import Shape
 
-NUMBERS = re.compile(r"[0-9][0-9 \t]*(?:\.[0-9 \t]*)?|\.[ \t]*[0-9][0-9 \t]*")
+_DIGITS = r"[0-9](?:[ \t]*[0-9])*"
+NUMBERS = re.compile(rf"{_DIGITS}(?:[ \t]*\.(?:[ \t]*[0-9])*)?|\.[ \t]*{_DIGITS}")
 """What can be a number; lines of one shape have as many, in the same places, up to the first comment."""
-_COMMENT = re.compile(r"[(;]")
+COMMENT = re.compile(r"[(;]")
+"""Where the first comment of a line starts."""
 
 
 class Word(NamedTuple):
@@ -57,7 +59,7 @@ def codes_of(shape: Shape) -> frozenset[str]:
 
 def starts(text: str) -> dict[int, int]:
     """Which number of a line starts in which column, up to the first comment."""
-    comment = _COMMENT.search(text)
+    comment = COMMENT.search(text)
     end = comment.start() if comment is not None else len(text)
     return {match.start(): at for at, match in enumerate(NUMBERS.finditer(text, 0, end))}
 
