@@ -33,7 +33,9 @@ class Position:
         self._simulate = simulate
         self._at: Coordinates = [0.0] * 9
         self._systems: list[Coordinates] = [[0.0] * 9 for _ in range(9)]
+        self._active = 0
         self._system: Coordinates = [0.0] * 9
+        """The offset in force: what was stored for the active system when it was chosen or set by G10."""
         self._rotated: set[int] = set()
         self._shift: Coordinates = [0.0] * 9
         """G92 and G52."""
@@ -49,7 +51,8 @@ class Position:
         for at in (*range(5221, 5390), *range(5211, 5220)):
             if params[at]:
                 self.set_parameter(at, params[at])
-        self._choose(round(params[5220]) - 1 if 1 <= params[5220] <= 9 else 0)
+        self._active = round(params[5220]) - 1 if 1 <= params[5220] <= 9 else 0
+        self._system = list(self._systems[self._active])
         if params[5210]:
             self._shift = list(self._kept_shift)
 
@@ -154,8 +157,11 @@ class Position:
         self._machine.state.params[first + axis] = math.nan if value is None else value / unit
 
     def _choose(self, number: int) -> None:
-        self._system = self._systems[number]
-        self._machine.state.params[5220] = number + 1.0
+        """Another system; to name the active one again changes nothing, whatever was stored for it meanwhile."""
+        if number != self._active:
+            self._active = number
+            self._system = list(self._systems[number])
+            self._machine.state.params[5220] = number + 1.0
 
     def _length(self, code: int, words: dict[str, float]) -> None:
         if code == 490:
@@ -207,7 +213,7 @@ class Position:
         kind, number = round(words.get("L", 0)), round(words.get("P", 0))
         if kind not in (2, 20):
             return
-        index = number - 1 if number else round(self._machine.state.params[5220]) - 1
+        index = number - 1 if number else self._active
         system = self._systems[index]
         if "R" in words:
             (self._rotated.add if words["R"] else self._rotated.discard)(index)
@@ -219,6 +225,8 @@ class Position:
         if index in self._rotated:
             # A turned system mixes X and Y: neither is followed.
             system[0] = system[1] = None
+        if index == self._active:
+            self._system = list(system)
 
     def _home(self, first: int, given: dict[int, float]) -> None:
         """Through the point that is written to the stored one: along the axes that are written, or all."""
