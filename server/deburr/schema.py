@@ -111,7 +111,8 @@ def _setting(path: Path, key: str, value: Any, schema: tuple[Setting, ...], name
     elif path == ("check",) and setting.kind is Kind.LIST:
         yield from (Fault((*path, key), said) for name in value if (said := unknown(name)))
     elif setting.each is not None:
-        yield from (Fault((*path, key, name), said) for name, of in value.items() if (said := setting.each(name, of)))
+        pairs = value.items() if isinstance(value, Mapping) else ((name, None) for name in value)
+        yield from (Fault((*path, key, name), said) for name, of in pairs if (said := setting.each(name, of)))
 
 
 def wrong(setting: Setting, value: Any) -> str:

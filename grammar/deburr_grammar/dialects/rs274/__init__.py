@@ -1,7 +1,7 @@
 """RS274/NGC with parameters, expressions and O-words (SmithyCNC, EMC2, LinuxCNC): `spec/rs274.md`."""
 
 from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting
-from deburr_grammar.dialects.rs274.modality import MODALITY
+from deburr_grammar.dialects.rs274.modality import MODALITY, remapped
 from deburr_grammar.dialects.rs274.outline import READINGS, RS274Outline
 from deburr_grammar.dialects.rs274.problems import WORDS, diagnose
 from deburr_grammar.shape import Folding
@@ -43,5 +43,12 @@ DIALECT = Dialect(
         Setting("parameters", Kind.PATH, "", "a .var file with stored parameters"),
         Setting("axes", Kind.TEXT, "", "letters of the machine's axes; empty: XYZABCUVW, in the smithy profile XYZABC"),
         Setting("tool-table", Kind.PATH, "", "a tool table"),
+        Setting(
+            "remap",
+            Kind.LIST,
+            (),
+            'G and M codes to which the machine gives a meaning of its own (REMAP in its INI file): `["M428", "G88.6"]`',
+            each=remapped,
+        ),
     ),
 )

@@ -1,5 +1,6 @@
 """What an RS274 line does to modal state (spec/rs274.md §1.3, §5, §6). Looks at letters and at literal G and M numbers only."""
 
+import re
 from math import floor
 
 from deburr_grammar.codes import code_number
@@ -28,7 +29,9 @@ def effect(line: LineNode) -> Effect:
     """The codes of a line, and whether it calls or is called."""
     codes = tuple(_codes(line))
     labelled = "o_line" in line.kinds
-    calls = "CALL" in line.kinds or not _ELSEWHERE.isdisjoint(codes) or "" in codes or bool(line.problems)
+    # What a code does that no table names (REMAP) is not known either.
+    foreign = any(code and code[0] in "GM" and not _is_named(line, code) for code in codes)
+    calls = foreign or "CALL" in line.kinds or not _ELSEWHERE.isdisjoint(codes) or "" in codes or bool(line.problems)
     # An O-word without a command is where `M98` goes to.
     target = labelled and not any(
         part.kind.isupper() and part.kind != "O" for node in line.find("o_line") for part in node.children
@@ -41,6 +44,13 @@ def effect(line: LineNode) -> Effect:
 
 
 MODALITY = Modality(effect, frozenset(("if",)))
+
+
+def remapped(name: str, _: object) -> str:
+    """What is wrong with a code that a machine is said to give a meaning of its own (nothing: "")."""
+    if re.fullmatch(r"[Gg][0-9]{1,3}(\.[0-9])?|[Mm][0-9]{1,4}", name.strip()):
+        return ""
+    return f"`{name}` is no G or M code, such as `M428` or `G88.6`"
 
 
 def code_of(text: str) -> str:
@@ -56,6 +66,11 @@ def code_of(text: str) -> str:
     whole += over > 0.5
     fraction = f".{whole % parts}" if whole % parts else ""
     return f"{said[0]}{whole // parts}{fraction}"
+
+
+def _is_named(line: LineNode, code: str) -> bool:
+    table = line.dialect.codes
+    return table.entry("code", code) is not None or table.family("code", int(float(code[1:]))) is not None
 
 
 def _codes(line: LineNode) -> list[str]:

@@ -16,6 +16,7 @@ from deburr.expand.rs274.axes import AXES
 from deburr.expand.rs274.modes import GETTERS, STRAIGHT, Modes
 from deburr.expand.rs274.position import Position
 from deburr.expand.rs274.tools import Tool, read_tools
+from deburr_grammar.dialects.rs274.modality import code_of
 
 if TYPE_CHECKING:
     from deburr.expand.job import Job
@@ -44,11 +45,15 @@ class Machine:
     def __init__(self, job: Job) -> None:
         self._simulate = job.inputs.simulate
         self._tools = read_tools(job)
+        self._foreign = frozenset(
+            (code[0], round(float(code[1:]) * 10)) for code in map(code_of, job.settings["remap"])
+        )
+        """Codes to which the machine gives a meaning of its own."""
         self.modes = Modes()
         self._position = Position(self, self._simulate)
         self._tool: Tool | None = Tool(0)
         """The tool in the spindle; None: only the machine knows."""
-        self._selected = 0
+        self._selected: int | None = 0
         self._set: set[int] = set()
         """Parameters that the program set itself."""
         self.kept: list[int] = []
@@ -87,7 +92,7 @@ class Machine:
         getter = GETTERS.get(name)
         if getter is not None:
             modes = self.modes
-            return lambda spot: getter(modes)
+            return lambda spot: self._known(getter(modes), f"#<{name}>", "a code of the machine's own", spot)
         axis = AXES.find(name[1:].upper()) if len(name) == 2 and name[0] == "_" else -1
         if axis >= 0:
             return lambda spot: self.number(_POSITION[axis], spot)
@@ -132,13 +137,16 @@ class Machine:
         if "X" in words and self.modes.g["lathe"] == 70 and self.state.contour is not None:
             words["X"] /= 2
         codes = {(letter, round(value * 10)) for letter, value in zip(letters, values) if letter in "GM"}
+        if not codes.isdisjoint(self._foreign):
+            self.forget()
+            return
         if self.state.contour is not None:
             self.modes.trace(codes)
             self._position.trace(words)
             return
         before = self.modes.unit
         self.modes.take(codes, words)
-        if self._simulate and before != self.modes.unit:
+        if self._simulate and before != self.modes.unit and not math.isnan(before):
             self._position.switch(self.modes.unit / before)
         if "X" in words and self.modes.g["lathe"] == 70:
             words["X"] /= 2
@@ -159,6 +167,12 @@ class Machine:
         if maybe or not codes.isdisjoint(_ROUGHING) or (("G", 700) in codes and words.get("E")):
             self._position.lose()
 
+    def forget(self) -> None:
+        """Something was done of which the program tells nothing."""
+        self.modes.forget()
+        self._position.lose()
+        self._tool = self._selected = None
+
     def length_offset(self, tool: int | None) -> Sequence[float] | None:
         """The offsets of a tool in millimetres; None: only the machine knows. Without a number, of the tool in the spindle."""
         found = self._tool if tool is None else self._tools.get(tool)
@@ -171,10 +185,10 @@ class Machine:
             self.state.params[_PROBED[axis]] = value or 0.0
         self.state.params[_PROBED[9]] = 0.0
 
-    def _change(self, tool: int) -> None:
+    def _change(self, tool: int | None) -> None:
         """Another tool is in the spindle. The stand-alone interpreter has no empty one, and knows nothing of M61."""
         if tool or not self._simulate:
-            self._tool = self._tools.get(tool)
+            self._tool = self._tools.get(tool) if tool is not None else None
 
     def _own(self, name: str) -> Known | None:
         state = self.state
@@ -190,7 +204,9 @@ class Machine:
             case "_tool_offset":
                 return lambda spot: self._known(self._position.is_offset(), "#<_tool_offset>", "the tool", spot)
             case "_selected_tool":
-                return lambda spot: float(self._selected)
+                return lambda spot: self._known(
+                    self._selected, "#<_selected_tool>", "a code of the machine's own", spot
+                )
             case "_current_tool":
                 return lambda spot: self.number(_TOOL[0], spot)
             case _:
@@ -206,7 +222,7 @@ class Machine:
         return self._known(None, f"#{at}", "the unit of the machine", spot)
 
     def _known(self, value: float | None, said: str, what: str, spot: Spot) -> float:
-        if value is None:
+        if value is None or math.isnan(value):
             message = f"`{said}` hangs on {what}, which only the machine knows here"
             source, part = spot
             raise self.state.fault("runtime-value", source.file, source.row, source.span(part), message)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Set
 from copy import copy
 
@@ -26,6 +27,8 @@ GROUP_OF = {code: group for group, codes in _GROUPS.items() for code in codes}
 STRAIGHT = frozenset((0, 10, 20, 30))
 """Motion along lines and arcs."""
 MM_PER_INCH = 25.4
+UNKNOWN = -1
+"""In place of a code: only the machine knows which is in force."""
 _RESTORED = ("length", "plane", "system", "path", "lathe", "distance", "arc", "retract", "spindle", "compensation")
 """Groups whose code M72 says again where it differs."""
 
@@ -38,6 +41,8 @@ class Modes:
             "motion": 800, "plane": 170, "distance": 900, "arc": 911, "feed": 940, "units": 210,
             "compensation": 400, "length": 490, "retract": 990, "system": 540, "path": 640, "spindle": 970, "lathe": 80,
         }  # fmt: skip
+        self.lost = False
+        """Whether what M codes switched is not known."""
         self.feed = 0.0
         self.speed = 0.0
         self.tolerance = (0.0, 0.0)
@@ -51,8 +56,16 @@ class Modes:
 
     @property
     def unit(self) -> float:
-        """Millimetres in the unit that lengths are written in."""
+        """Millimetres in the unit that lengths are written in; no number if it is not known."""
+        if self.g["units"] == UNKNOWN:
+            return math.nan
         return MM_PER_INCH if self.g["units"] == 200 else 1.0
+
+    def forget(self) -> None:
+        """Something was done of which the program tells nothing."""
+        self.g = dict.fromkeys(self.g, UNKNOWN)
+        self.feed = self.speed = math.nan
+        self.lost = True
 
     def copy(self) -> Modes:
         """The same modes, to be kept."""
@@ -152,22 +165,26 @@ def _code(tenths: int) -> str:
 
 
 def _is(group: str, code: int) -> Callable[[Modes], float]:
-    return lambda modes: 1.0 if modes.g[group] == code else 0.0
+    return lambda modes: float(modes.g[group] == code) if modes.g[group] != UNKNOWN else math.nan
 
 
 def _of(group: str) -> Callable[[Modes], float]:
-    return lambda modes: float(modes.g[group])
+    return lambda modes: float(modes.g[group]) if modes.g[group] != UNKNOWN else math.nan
+
+
+def _switched(switch: Callable[[Modes], bool]) -> Callable[[Modes], float]:
+    return lambda modes: math.nan if modes.lost else float(switch(modes))
 
 
 GETTERS: dict[str, Callable[[Modes], float]] = {
     "_absolute": _is("distance", 900),
-    "_adaptive_feed": lambda modes: float(modes.adaptive),
+    "_adaptive_feed": _switched(lambda modes: modes.adaptive),
     "_ccomp": _of("compensation"),
     "_coord_system": _of("system"),
     "_feed": lambda modes: modes.feed,
-    "_feed_hold": lambda modes: float(modes.feed_hold),
-    "_feed_override": lambda modes: float(modes.feed_override),
-    "_flood": lambda modes: float(modes.flood),
+    "_feed_hold": _switched(lambda modes: modes.feed_hold),
+    "_feed_override": _switched(lambda modes: modes.feed_override),
+    "_flood": _switched(lambda modes: modes.flood),
     "_ijk_absolute_mode": _is("arc", 901),
     "_imperial": _is("units", 200),
     "_incremental": _is("distance", 910),
@@ -175,16 +192,16 @@ GETTERS: dict[str, Callable[[Modes], float]] = {
     "_lathe_diameter_mode": _is("lathe", 70),
     "_lathe_radius_mode": _is("lathe", 80),
     "_metric": _is("units", 210),
-    "_mist": lambda modes: float(modes.mist),
+    "_mist": _switched(lambda modes: modes.mist),
     "_motion_mode": _of("motion"),
     "_plane": _of("plane"),
     "_retract_old_z": _is("retract", 980),
     "_retract_r_plane": _is("retract", 990),
     "_rpm": lambda modes: modes.speed,
-    "_speed_override": lambda modes: float(modes.speed_override),
+    "_speed_override": _switched(lambda modes: modes.speed_override),
     "_spindle_css_mode": _is("spindle", 960),
-    "_spindle_cw": lambda modes: float(modes.spindle == 30),
-    "_spindle_on": lambda modes: float(modes.spindle in (30, 40)),
+    "_spindle_cw": _switched(lambda modes: modes.spindle == 30),
+    "_spindle_on": _switched(lambda modes: modes.spindle in (30, 40)),
     "_spindle_rpm_mode": _is("spindle", 970),
     "_units_per_minute": _is("feed", 940),
     "_units_per_rev": _is("feed", 950),

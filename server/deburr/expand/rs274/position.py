@@ -64,7 +64,8 @@ class Position:
     def axis(self, axis: int) -> float | None:
         """A coordinate in the active system, in the unit that the program writes."""
         value = self._program(axis)
-        return None if value is None else value / self._unit(axis)
+        # No number at all comes of a unit that is not known.
+        return None if value is None or math.isnan(value) else value / self._unit(axis)
 
     def is_offset(self) -> float | None:
         """Whether a tool offset is in force that is none of zeros."""
@@ -282,7 +283,10 @@ class Position:
     def _drill(self, target: Coordinates, words: dict[str, float]) -> None:
         """A canned cycle ends above its last hole: at the R plane, or (G98) not below where it began."""
         modes = self._machine.modes
-        depth = _DEPTH[modes.g["plane"]]
+        depth = _DEPTH.get(modes.g["plane"])
+        if depth is None:
+            self.lose()
+            return
         absolute = modes.g["distance"] == 900
         # R and the level at which the cycle began are kept as numbers: other units or offsets do not change them.
         self._retract = words.get("R", self._retract)

@@ -43,6 +43,13 @@ def saving(run: Run, unit: Unit, row: int, line: Line, codes: frozenset[str]) ->
 def restore(run: Run, unit: Unit, row: int, saved: Saved) -> None:
     """Bring saved modes back. The flat program has one place for them: where it holds others by now, words say what changes."""
     state = run.state
+    if state.slot is not saved and (saved.modes.lost or state.machine.modes.lost):
+        message = "which modes come back here hangs on a code of the machine's own, of which the program tells nothing"
+        raise state.fault("runtime-value", unit.file, row, Span(0, 0), message)
+    if saved.modes.lost:
+        run.emit("M72", unit.file, row, state.frame)
+        state.machine.forget()
+        return
     lines = state.machine.modes.restoring(saved.modes)
     for text in ["M72"] if state.slot is saved else lines:
         run.emit(text, unit.file, row, state.frame)

@@ -65,7 +65,7 @@ class Words:
 def words(line: Line) -> Words:
     """The words of a line, kept with its shape."""
     memo = line.node.shape.memo
-    key = ("rs274 words", line.node.reading.name)
+    key = ("rs274 words", line.node.reading.name, line.settings["remap"])
     found = memo.get(key)
     if not isinstance(found, Words):
         found = memo[key] = _words(line)
@@ -145,6 +145,12 @@ def entry(line: Line, code: str) -> Mapping[str, Any]:
 
 
 @cache
+def remap(names: tuple[str, ...]) -> frozenset[str]:
+    """The codes to which the machine gives a meaning of its own: nothing is known of a line with one."""
+    return frozenset(map(code_of, names))
+
+
+@cache
 def users(dialect: Any, letter: str) -> frozenset[str]:
     """The codes that take a word of a letter, or let it through."""
     table = dialect.codes.table("code")
@@ -156,11 +162,13 @@ def _words(line: Line) -> Words:
     letters = tuple(line.text[word.start].upper() for word in found)
     codes = tuple(_code(line, word) if letter in "GM" else "" for letter, word in zip(letters, found))
     groups: dict[str, tuple[int, ...]] = {}
+    foreign = remap(line.settings["remap"])
     for at, code in enumerate(codes):
-        if code and (group := entry(line, code).get("group")):
+        if code and code not in foreign and (group := entry(line, code).get("group")):
             groups[group] = (*groups.get(group, ()), at)
     # A faulty line may hold words that were not read.
-    known = all(entry(line, code) for letter, code in zip(letters, codes) if letter in "GM") and not line.node.problems
+    own = [code for letter, code in zip(letters, codes) if letter in "GM"]
+    known = all(code not in foreign and entry(line, code) for code in own) and not line.node.problems
     clear = known and all(len(_sharing(line, codes, at)) < 2 for at in groups.values())
     return Words(letters, codes, frozenset((*letters, *codes)), groups, clear)
 
