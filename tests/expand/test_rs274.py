@@ -4,6 +4,7 @@ import math
 from fractions import Fraction
 from itertools import permutations
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -132,3 +133,41 @@ def test_a_number_is_written_so_that_it_reads_back(number: float) -> None:
     assert len(said.partition(".")[2]) <= 6
     assert abs(Fraction(said) - Fraction(repr(number))) <= Fraction(1, 2_000_000)
     assert said not in ("-0", "")
+
+
+@given(
+    st.lists(st.tuples(st.integers(-9, 9), st.integers(1, 97)), min_size=1, max_size=40),
+    st.sampled_from((1, 2, 4, 6)),
+    st.sampled_from(("", " Z-1 R1", " Z-1 R1 L3")),
+)
+def test_a_chain_of_incremental_moves_ends_where_it_should(
+    steps: list[tuple[int, int]], decimals: int, cycle: str
+) -> None:
+    code = "G81" if cycle else "G1"
+    lines = [f"#1={top} #2={bottom}\n{code} X[#1/#2]{cycle}\n" for top, bottom in steps]
+    found = flat(f"G91 F100\n{''.join(lines)}M2\n", {}, Inputs(decimals=decimals))[1:-1]
+    times = 3 if "L3" in cycle else 1
+    ends = [Fraction(line.split()[1].removeprefix("X")) * times for line in found]
+    assert len(ends) == len(steps)
+    wanted = sum(Fraction(top, bottom) * times for top, bottom in steps)
+    assert abs(sum(ends) - wanted) <= Fraction(times, 10**decimals)
+    assert all(
+        abs(end - times * Fraction(*step)) <= Fraction(2 * times, 10**decimals) for end, step in zip(ends, steps)
+    )
+
+
+CHAINS = {
+    "three thirds": ("G91\nG0 X#1\nX#1\nX#1", ["G0 X0.333333", "X0.333334", "X0.333333"]),
+    "each axis by itself": ("G91 G0 X#1 Y#2\nX#1 Y#2", ["G91 G0 X0.333333 Y0.666667", "X0.333334 Y0.666666"]),
+    "an absolute move ends it": ("G91 G0 X#1\nG90 X1\nG91 X#1", ["G91 G0 X0.333333", "G90 X1", "G91 X0.333333"]),
+    "absolute moves are no chain": ("G0 X#1\nX#1\nX#1", ["G0 X0.333333", "X0.333333", "X0.333333"]),
+    "offsets are no moves": ("G91 G92 X#1\nG92 X#1\nG92 X#1", ["G91 G92 X0.333333", "G92 X0.333333", "G92 X0.333333"]),
+    "the depth of a cycle": ("G91 G81 X1 Z-#1 R#1 F9\nX#1 Z-#1 R#1\nX#1 Z-#1 R#1", ["G91 G81 X1 Z-0.333333 R0.333333 F9", "X0.333333 Z-0.333333 R0.333333", "X0.333334 Z-0.333333 R0.333333"]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CHAINS)
+def test_what_is_a_chain(name: str) -> None:
+    program, lines = CHAINS[name]
+    found = [line for line in flat(f"#1=[1/3] #2=[2/3]\n{program}\nM2\n")[:-1] if line != "G91"]
+    assert found == lines

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from deburr.expand.rs274.state import State
     from deburr_grammar.line import LineNode
 
-DECIMALS = 6
 ACTS = -1
 """The piece of a flat line that is the comment that acts."""
 Piece = str | int

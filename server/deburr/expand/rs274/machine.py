@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.axes import AXES
+from deburr.expand.rs274.chains import DECIMALS, Chains
 from deburr.expand.rs274.modes import GETTERS, STRAIGHT, Modes
 from deburr.expand.rs274.position import Position
 from deburr.expand.rs274.tools import Tool, read_tools
@@ -50,6 +51,7 @@ class Machine:
         )
         """Codes to which the machine gives a meaning of its own."""
         self.modes = Modes()
+        self.chains = Chains(self.modes, DECIMALS if job.inputs.decimals is None else job.inputs.decimals)
         self._position = Position(self, self._simulate)
         self._tool: Tool | None = Tool(0)
         """The tool in the spindle; None: only the machine knows."""
@@ -123,6 +125,7 @@ class Machine:
 
     def moved(self, motion: int | None, words: dict[str, float]) -> None:
         """Absolute straight moves and arcs were executed, of which these are the last motion and words."""
+        self.chains.clear(words)
         if motion is not None:
             self.modes.g["motion"] = motion
         self.modes.feed = words.get("F", self.modes.feed)
@@ -146,6 +149,8 @@ class Machine:
             return
         before = self.modes.unit
         self.modes.take(codes, words)
+        if self.modes.g["distance"] == 900 or before != self.modes.unit:
+            self.chains.clear(words if before == self.modes.unit else AXES)
         if self._simulate and before != self.modes.unit and not math.isnan(before):
             self._position.switch(self.modes.unit / before)
         if "X" in words and self.modes.g["lathe"] == 70:

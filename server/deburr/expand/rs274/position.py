@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 PROBE_SHORT = 0.254
 """By how many millimetres its made-up probe stops before its target."""
 _MOVING = frozenset((*AXES, "@", "^"))
-_MOVELESS = frozenset((431, 432, 700, 710, 711, 712, 720, 721, 722))
+MOVELESS = frozenset((431, 432, 700, 710, 711, 712, 720, 721, 722))
 """Codes whose axis words lead nowhere: tool offsets, and cycles that follow a contour."""
-_CYCLES = frozenset((730, 810, 820, 830, 840, 850, 860, 870, 880, 890))
+CYCLES = frozenset((730, 810, 820, 830, 840, 850, 860, 870, 880, 890))
 _PROBES = frozenset((382, 383, 384, 385))
-_AXIS_CODES = frozenset((100, 280, 300, 520, 920))
+AXIS_CODES = frozenset((100, 280, 300, 520, 920))
 """Codes that take the axis words of a block from its motion."""
-_DEPTH = {170: 2, 180: 1, 190: 0, 171: 8, 181: 7, 191: 6}
+DEPTH = {170: 2, 180: 1, 190: 0, 171: 8, 181: 7, 191: 6}
 """The axis that canned cycles drill along, by plane."""
 
 
@@ -128,11 +128,11 @@ class Position:
             if code in gs:
                 for axis in range(9):
                     self._store(first, axis, self._at[axis])
-        if gs & _AXIS_CODES:
+        if gs & AXIS_CODES:
             self._non_modal(gs, words)
-        elif not gs & _MOVELESS and not _MOVING.isdisjoint(words):
+        elif not gs & MOVELESS and not _MOVING.isdisjoint(words):
             self._move(self._machine.modes.g["motion"], 530 in gs, words)
-        if self._machine.modes.g["motion"] not in _CYCLES:
+        if self._machine.modes.g["motion"] not in CYCLES:
             self._retract = self._depth_level = None
 
     def _unit(self, axis: int) -> float:
@@ -244,7 +244,7 @@ class Position:
             # The stand-alone interpreter's machine starts from where it thinks that it is.
             self.read_back()
         self._tool_then = self._tool
-        if motion in _CYCLES:
+        if motion in CYCLES:
             self._drill(target, words)
         elif motion in _PROBES:
             self._probe(target)
@@ -283,7 +283,7 @@ class Position:
     def _drill(self, target: Coordinates, words: dict[str, float]) -> None:
         """A canned cycle ends above its last hole: at the R plane, or (G98) not below where it began."""
         modes = self._machine.modes
-        depth = _DEPTH.get(modes.g["plane"])
+        depth = DEPTH.get(modes.g["plane"])
         if depth is None:
             self.lose()
             return

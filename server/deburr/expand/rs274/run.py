@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 
 from deburr.expand.job import EXACT
 from deburr.expand.numbers import written
+from deburr.expand.rs274.axes import AXES
+from deburr.expand.rs274.chains import DECIMALS
 from deburr.expand.rs274.copying import without_number
 from deburr.expand.rs274.files import first_values
 from deburr.expand.rs274.flow import Flow
 from deburr.expand.rs274.following import follow
 from deburr.expand.rs274.judge import Judge
-from deburr.expand.rs274.lines import DECIMALS, Line, Piece, text_of
+from deburr.expand.rs274.lines import Line, Piece, text_of
 from deburr.expand.rs274.machine import Machine
 from deburr.expand.rs274.parts import last_values
 from deburr.expand.rs274.saved import SAVES, saving
@@ -32,8 +34,10 @@ if TYPE_CHECKING:
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
 
-_WATCHED = re.compile(r"#[ \t]*(?:5|#|\[)|[mM][ \t]*0*[ \t]*(?:7[ \t]*[03]|9[ \t]*8)")
-"""What can read the position or bring modes back, or calls who knows what."""
+_WATCHED = re.compile(
+    r"#[ \t]*(?:5|#|\[)|[mM][ \t]*0*[ \t]*(?:7[ \t]*[03]|9[ \t]*8)|[gG][ \t]*0*[ \t]*9[ \t]*1(?![ \t]*[.0-9])|[gG][ \t]*[#\[]"
+)
+"""What can read the position or bring modes back, moves in steps, or calls who knows what."""
 _GLOBAL = re.compile(r"#[ \t]*(<[ \t]*_[^<>\n]*>)")
 
 
@@ -167,8 +171,12 @@ class Run:
         maybe = line.deleted and self.job.inputs.block_delete is None
         decimals, minus_zero, letters = self._decimals, self._minus_zero, [word.letter for word in line.words]
 
+        rounded = [at for at in pieces if isinstance(at, int) and at >= 0 and letters[at] in AXES]
+        chained, chains = watch and bool(rounded) and decimals < EXACT, state.machine.chains
+
         def put_down(values: list[float]) -> None:
-            text = text_of(pieces, values, comment, decimals, minus_zero)
+            said = chains.rounded(letters, values, rounded) if chained and state.contour is None else values
+            text = text_of(pieces, said, comment, decimals, minus_zero)
             if watch:
                 state.machine.block(letters, values, maybe)
             if text.strip():
