@@ -6,7 +6,7 @@ from collections import Counter
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
-from deburr.expand import Budget, Job, Program, drive, interpreter
+from deburr.expand import Budget, Job, Kept, Program, drive, interpreter
 from deburr.ide.refactor import Cannot, Work
 
 if TYPE_CHECKING:
@@ -43,18 +43,10 @@ def flat(view: View, document: Document, host: Host) -> Work[Flat]:
     """The flat program as far as it can be had."""
     if interpreter(view.dialect.name) is None:
         return Flat((), False)
-    lines = _Kept()
+    lines = Kept()
     job = Job([Program(view.file, document)], view.ruleset, host, lines, None, _BUDGET)
     yield from drive(job)
     return Flat(lines.lines, not (job.faults or job.cut))
-
-
-class _Kept:
-    """Lines in memory."""
-
-    def __init__(self) -> None:
-        self.lines: list[str] = []
-        self.line = self.lines.append
 
 
 def _alike(before: Flat, after: Flat) -> bool:
