@@ -31,6 +31,7 @@ __all__ = [
     "Note",
     "Notice",
     "Noticed",
+    "Proven",
     "Ran",
     "Report",
     "Rule",
@@ -167,7 +168,11 @@ class Ran(NamedTuple):
     """The rule is called for each fault of its own name that a run met: `check(fault)`. What can be seen without a run is no matter for it."""
 
 
-Trigger = Syntax | Nodes | Modal | Text | Long | Structure | Whole | Noticed | Ran
+class Proven(NamedTuple):
+    """The rule is called for each proof of its own name that values give for all inputs (deburr/values): `check(proof)`. Other rules own proofs as well, in the proof's words."""
+
+
+Trigger = Syntax | Nodes | Modal | Text | Long | Structure | Whole | Noticed | Ran | Proven
 Check = Callable[..., Iterator[Report]]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
@@ -49,10 +50,11 @@ def _of(program: Program) -> Known:
         solved = program.solved.get(name)
         if solved is None:
             continue
+        rows = Counter(routine.rows[node.line] for node in routine.graph.nodes.values())
         for node, env in solved.solution.before.items():
             row = routine.rows[routine.graph.nodes[node].line]
             old = before.get(row)
             before[row] = env if old is None else {key: joined(old[key], env[key]) for key in old.keys() & env.keys()}
-            if node in solved.solution.proofs and node % 2 == 0:
+            if node in solved.solution.proofs and rows[row] == 1:
                 stopping.add(row)
     return Known(before, frozenset(taking), frozenset(stopping))

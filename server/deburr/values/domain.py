@@ -218,7 +218,7 @@ def _outward(number: float) -> float:
 
 
 def _kept(value: Value, low: float, high: float) -> Value:
-    if low > high:
+    if low > high or (value.holed and low == high == 0):
         return NOTHING._replace(wild=value.wild, unset=value.unset)
     return value._replace(low=low, high=high, step=value.step if low < high else 0)
 

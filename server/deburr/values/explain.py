@@ -6,16 +6,16 @@ from collections.abc import Callable, Hashable, Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from deburr.rule import Note
+from deburr.finding import Place, Related
 from deburr.values.domain import ANY
 from deburr.values.words import said
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
+    from deburr.analysis import Analysis
     from deburr.values.graph import Node
     from deburr.values.program import Program, Routine
     from deburr.values.solve import Solution
-    from deburr_grammar.document import Document
 
 _SHOWN = 6
 _STEPS = 2_000
@@ -25,25 +25,31 @@ _DEPTH = 3
 class Explanation:
     """The way to places in one program. ``written``: how a variable is spelled."""
 
-    def __init__(self, program: Program, document: Document, written: Callable[[Hashable], str]) -> None:
+    def __init__(self, program: Program, analysis: Analysis, written: Callable[[Hashable], str]) -> None:
         self._program = program
-        self._document = document
+        self._analysis = analysis
         self._written = written
 
-    def notes(self, routine: Routine, node: int) -> tuple[Note, ...]:
+    def place(self, routine: Routine, node: int, span: Span) -> Place:
+        """Columns of a node's line as a place."""
+        at = routine.graph.nodes[node].line
+        file = self._analysis.file if routine.files is None else routine.files[at]
+        return Place(file, routine.rows[at], span.start, routine.rows[at], span.end)
+
+    def related(self, routine: Routine, node: int) -> Iterator[Related]:
         """What led to a node with the values that it uses, the nearest first."""
         solution = self._program.solved[routine.name].solution
         used = sorted((key for key in routine.graph.nodes[node].used if key is not None), key=str)
-        found: dict[tuple[int, str], Note] = {}
-        for note in islice(self._led(routine, solution, node, used, _DEPTH), 4 * _SHOWN):
-            found.setdefault((note.line, note.message), note)
-        return tuple(islice(found.values(), _SHOWN))
+        found = dict.fromkeys(islice(self._led(routine, solution, node, used, _DEPTH), 4 * _SHOWN))
+        return islice(found, _SHOWN)
 
-    def _led(self, routine: Routine, solution: Solution, node: int, keys: list[Hashable], depth: int) -> Iterator[Note]:
+    def _led(
+        self, routine: Routine, solution: Solution, node: int, keys: list[Hashable], depth: int
+    ) -> Iterator[Related]:
         behind: list[tuple[int, list[Hashable]]] = []
         for key in keys:
             for place, why in self._sources(routine, solution, node, key):
-                yield Note(routine.rows[place.line], self._span(routine, place), why)
+                yield Related(self._around(routine, place), why)
                 inner = [each for each in place.used if each is not None and each != key]
                 if key in place.sets and depth and inner:
                     behind.append((next(n for n, p in routine.graph.nodes.items() if p is place), inner))
@@ -70,7 +76,7 @@ class Explanation:
                     seen.add(source)
                     waiting.append(source)
 
-    def _calls(self, routine: Routine, solution: Solution, key: Hashable) -> Iterator[Note]:
+    def _calls(self, routine: Routine, solution: Solution, key: Hashable) -> Iterator[Related]:
         """The calls that give a routine its arguments."""
         entry = self._program.entry(routine.name)
         if key not in entry or key in routine.graph.locals:
@@ -82,13 +88,16 @@ class Explanation:
             for number in sorted(solved.solution.before):
                 place = caller.graph.nodes[number]
                 if place.callee == routine.name:
-                    yield Note(caller.rows[place.line], self._span(caller, place), "called here")
+                    yield Related(self._around(caller, place), "called here")
 
-    def _span(self, routine: Routine, place: Node) -> Span:
-        if place.condition is not None:
-            return place.condition
-        text = self._document.line(routine.rows[place.line])
-        return Span(len(text) - len(text.lstrip()), len(text.rstrip()))
+    def _around(self, routine: Routine, node: Node) -> Place:
+        """A node's condition, or its whole line."""
+        span = node.condition
+        if span is None:
+            text = self._analysis.document.line(routine.rows[node.line])
+            span = Span(len(text) - len(text.lstrip()), len(text.rstrip()))
+        file = self._analysis.file if routine.files is None else routine.files[node.line]
+        return Place(file, routine.rows[node.line], span.start, routine.rows[node.line], span.end)
 
 
 def _holds(text: str) -> str:

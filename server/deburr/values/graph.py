@@ -50,11 +50,21 @@ class Calls(Protocol):
         """Call a routine with arguments and with what all share; what is known of it by now. None: nobody can see what is called."""
 
 
+class Dead(NamedTuple):
+    """A way that a place ought to take now and then: where it leads, and what is said, by which rule, if no values ever go there."""
+
+    target: int
+    kind: str
+    span: Span
+    message: str
+
+
 class Node(NamedTuple):
     """A point of a routine. ``line`` counts its lines; ``used`` and ``sets`` are the variables that it reads and sets.
 
     ``flow`` gives what comes next, and raises a `Proof` where nothing can. ``condition``: the columns of what decides here.
     ``doubtful``: whether something in it may fail on some way, after ``flow`` was asked. ``callee``: the routine that it calls, if that is known; ``calls``: whether it calls any.
+    ``remark``: what is certain and does not stop the control, after ``flow`` was asked.
     """
 
     line: int
@@ -65,6 +75,8 @@ class Node(NamedTuple):
     doubtful: Callable[[], bool] = bool
     callee: str | None = None
     calls: bool = False
+    remark: Callable[[], Proof | None] = lambda: None
+    dead: Dead | None = None
 
 
 class Head(NamedTuple):

@@ -30,6 +30,8 @@ class Routine(NamedTuple):
     rows: Sequence[int]
     graph: Graph
     entry: Env | None
+    files: Sequence[str] | None = None
+    """The files of its lines, where it is made from several."""
 
 
 class Solved(NamedTuple):

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Iterator
 from typing import TYPE_CHECKING
 
-from deburr.finding import Finding, Place, Related
+from deburr.finding import Finding
+from deburr.rule import Proven, Report
 from deburr.values.explain import Explanation
 from deburr.values.graph import Loop, Proof
 
@@ -17,30 +18,47 @@ if TYPE_CHECKING:
 
 def findings(program: Program, analysis: Analysis, written: Callable[[Hashable], str]) -> Iterator[Finding]:
     """All that is proven of all routines that can be reached, if its rule is on."""
-    explained = Explanation(program, analysis.document, written)
+    explained = Explanation(program, analysis, written)
     for name, solved in program.solved.items():
         routine = program.routines[name]
         for node, proof in _proofs(routine, solved.solution, analysis):
             rule = analysis.ruleset.named(proof.kind)
             if rule is None or rule not in analysis.ruleset.rules:
                 continue
-            row = routine.rows[routine.graph.nodes[node].line]
-            related = tuple(
-                Related(Place(analysis.file, note.line, note.span.start, note.line, note.span.end), note.message)
-                for note in explained.notes(routine, node)
-            )
-            place = Place(analysis.file, row, proof.span.start, row, proof.span.end)
-            yield Finding(rule.name, analysis.ruleset.severity(rule), proof.message, place, related)
+            own = rule.check(proof) if isinstance(rule.trigger, Proven) else [Report(proof.span, proof.message)]
+            related = tuple(explained.related(routine, node))
+            for report in own:
+                place = explained.place(routine, node, report.span)
+                yield Finding(
+                    rule.name, analysis.ruleset.severity(rule, report.severity), report.message, place, related
+                )
 
 
 def _proofs(routine: Routine, solution: Solution, analysis: Analysis) -> Iterator[tuple[int, Proof]]:
-    yield from sorted(solution.proofs.items())
+    for node, proof in sorted({**solution.remarks, **solution.proofs}.items()):
+        if _everywhere(routine, solution, node, proof):
+            yield node, proof
+    for node in sorted(solution.before):
+        dead = routine.graph.nodes[node].dead
+        if dead is not None and node not in solution.proofs and dead.target not in solution.targets(node):
+            yield node, Proof(dead.kind, dead.span, dead.message)
     for loop in routine.graph.loops:
         if _is_endless(solution, loop):
             row = routine.rows[routine.graph.nodes[loop.test].line]
             said = analysis.document.line(row)[loop.span.start : loop.span.end]
             message = f"`{said}` never ends: its condition holds in every pass, and nothing in it leaves it"
             yield loop.test, Proof(loop.kind, loop.span, message)
+
+
+def _everywhere(routine: Routine, solution: Solution, node: int, proof: Proof) -> bool:
+    """Whether a line of a file that is put in at several places goes wrong at each of them that can be reached."""
+    if routine.files is None:
+        return True
+    at = routine.graph.nodes[node].line
+    place = (routine.files[at], routine.rows[at])
+    others = (each for each in solution.before if (routine.files[each], routine.rows[each]) == place)
+    known = {**solution.remarks, **solution.proofs}
+    return all(each in known and known[each].kind == proof.kind for each in others)
 
 
 def _is_endless(solution: Solution, loop: Loop) -> bool:

@@ -29,6 +29,8 @@ class Solution:
         self.before: dict[int, Env] = {}
         self.proofs: dict[int, Proof] = {}
         """What is certain to go wrong at a node that can be reached."""
+        self.remarks: dict[int, Proof] = {}
+        """What is certain there and does not stop the control."""
         self.doubtful: set[int] = set()
         """The nodes at which something may go wrong."""
         self._came[min(graph.nodes, default=RETURN)][_ENTRY] = entry
@@ -119,6 +121,7 @@ class Solution:
         if env is None:
             del self.before[node]
             self.proofs.pop(node, None)
+            self.remarks.pop(node, None)
             flows = {}
         else:
             self.before[node] = env
@@ -143,5 +146,9 @@ class Solution:
                 found[target] = join(found[target], values) if target in found else values
         except Proof as proof:
             self.proofs[node] = proof
+        if (remark := here.remark()) is not None and node not in self.proofs:
+            self.remarks[node] = remark
+        else:
+            self.remarks.pop(node, None)
         (self.doubtful.add if here.doubtful() else self.doubtful.discard)(node)
         return found

@@ -4,6 +4,8 @@ A value is filled in as it stands, and a loop prints the sign of its total: `Z-|
 becomes `Z--4`. No control takes that for a number; it stops, or reads one of the signs and moves the
 wrong way. Write the sign in the line or in the value, not in both.
 
+It is also said where the conditions around the line make it so for every value that is given.
+
 Source: spec/metagcode.md §5.2, §5.5
 
 Bad (variables=part.vars):

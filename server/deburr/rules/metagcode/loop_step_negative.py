@@ -3,6 +3,8 @@
 maxStep is the greatest step allowed, a magnitude. Its sign is ignored: which way the loop goes is
 decided by the sign of the variable. Who writes a sign may expect it to turn the direction round.
 
+It is also said where the conditions around the line make it so for every value that is given.
+
 Source: spec/metagcode.md §5.4, §6
 
 Bad:

@@ -3,6 +3,8 @@
 The number of passes is the total divided by maxStep, so with a maxStep of 0 there is none and nothing
 is built. It is an error even if the total is 0 as well.
 
+It is also said where the conditions around the line make it so for every value that is given.
+
 Source: spec/metagcode.md §5.4, §6, §10
 
 Bad:

@@ -4,6 +4,8 @@ A loop divides the value of its variable into steps. Of 0 there are none, so the
 nothing is cut, which is safe but seldom what was meant. If another variable of the same loop is not
 0, it decides, and this one stays 0.
 
+It is also said where the conditions around the line make it so for every value that is given.
+
 Source: spec/metagcode.md §5.4, §6
 
 Bad (variables=part.vars):

@@ -1,0 +1,32 @@
+"""MetaGCODE's part in proving values: a text with its snippets is one routine. Its variables come from outside and never change, so all that is known of them is what conditions and loops say."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from deburr.analysis import Analysis
+    from deburr.values.program import Routine
+    from deburr_grammar.document import Document
+
+
+def worth(document: Document) -> bool:
+    """Whether any line asks for a value."""
+    from deburr.values.metagcode.lines import concerns
+
+    return concerns(document)
+
+
+def routines(analysis: Analysis) -> Mapping[str, Routine] | None:
+    """The text with all its snippets; None where its blocks do not fit together."""
+    from deburr.values.metagcode.flow import routine_of
+
+    found = routine_of(analysis)
+    return None if found is None else {found.name: found}
+
+
+def written(key: object) -> str:
+    """A variable as one writes it."""
+    return f"|{key}|"
