@@ -66,7 +66,6 @@ def test_a_budget_of_executed_lines_names_the_loop_and_its_last_values(shell, ar
         (("p.mgc", "--keep-n"), "--keep-n"),
         (("p.mgc", "--machine-values", "simulate"), "--machine-values"),
         (("p.z32", "--machine-values", "simulate"), "--machine-values"),
-        (("p.z32", "--variables", "p.cl"), "--variables"),
         (("p.cgt", "--input", "p.cl", "--decimals", "2"), "--decimals"),
         (("p.cgt", "--input", "p.cl", "--block-delete", "off"), "--block-delete"),
         (("p.mgc", "--input", "p.cl"), "--input"),
@@ -79,6 +78,25 @@ def test_an_option_that_the_language_does_not_follow_is_refused(shell, arguments
     ran = shell.run("expand", *arguments)
     assert (ran.code, ran.out) == (2, "")
     assert ran.err.startswith(f"deburr: error: {option}: ") and ran.err.count("\n") == 1
+
+
+@pytest.mark.parametrize("text", ["# values\nHA=1.5\nPAR[2] = 7\n", '{"HA": 1.5, "PAR[2]": "7"}'])
+def test_a_file_of_values_serves_every_language(shell, text):
+    shell.write("p.z32", "X<HA> Y<PAR[2]>\nM30\n")
+    shell.write("v", text)
+    assert shell.run("expand", "p.z32", "--variables", "v") == (0, "X1.5 Y7\nM30\n", "")
+    assert shell.run("expand", "p.z32", "--variables", "v", "-D", "HA=2").out == "X2 Y7\nM30\n"
+    shell.write("q.z32", "X<1/(HA-1.5)>\nM30\n")
+    assert shell.run("check", "q.z32").code == 0
+    assert "z32.divide-by-zero" in shell.run("check", "q.z32", "--variables", "v").out
+
+
+def test_a_line_of_values_that_cannot_be_used_is_named(shell):
+    shell.write("p.z32", "X<HA>\nM30\n")
+    shell.write("v", "HA=1\n\n  HB 2\nHA=3\n")
+    said = "deburr: error: v:3:3: `HB 2` has no `=`\ndeburr: error: v:4:1: `HA` has another value on line 1\n"
+    for command in ("expand", "check"):
+        assert shell.run(command, "p.z32", "--variables", "v") == (2, "", said)
 
 
 def test_decimals(shell):

@@ -7,10 +7,10 @@ import pytest
 
 from deburr.analysis import Analysis
 from deburr.finding import Finding
+from deburr.formats.variables import read_values
 from deburr.host import Host, NoFiles
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name
-from deburr_grammar.dialects.metagcode.values import read_values
 from deburr_grammar.document import Document
 from support.pages import MemoryHost
 

@@ -104,7 +104,7 @@ def run(arguments: argparse.Namespace) -> int:
             configs.of(target.file if target.file != STDIN else paths.absolute(arguments.stdin_filename or STDIN))
         _distinct(outputs, found)
         loud = any(each.form == "full" for each in outputs)
-        options = Options(arguments.dialect, arguments.stdin_filename, loud, inputs)
+        options = Options(arguments.dialect, arguments.stdin_filename, loud, inputs, arguments.variables)
         result = Result(tuple(outcomes(Checker(configs, options), found, _processes(arguments.jobs, found))))
     except ConfigError as error:
         return unable(error.messages)

@@ -11,7 +11,7 @@ from deburr.cli.check import profile
 from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.files import STDIN
 from deburr.cli.flat import Flat, Terms, flat_of, opened_programs
-from deburr.cli.inputs import add_inputs, inputs_of, known, named_files, settings
+from deburr.cli.inputs import add_inputs, inputs_for, inputs_of, known, named_files, settings
 from deburr.config import Config, ConfigError, from_command_line
 from deburr.configfile import Configs
 from deburr.expand import Budget
@@ -57,6 +57,7 @@ def run(arguments: argparse.Namespace) -> int:
         programs = opened_programs(arguments.files, arguments.dialect, configs)
         others = opened_programs([arguments.diff], arguments.dialect, configs) if arguments.diff else ()
         known(arguments, programs[0].dialect)
+        terms = terms._replace(inputs=inputs_for(terms.inputs, arguments.variables, programs[0].dialect))
         _distinct(arguments)
     except ConfigError as error:
         return unable(error.messages)

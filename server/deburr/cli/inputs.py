@@ -1,9 +1,9 @@
 """What a run is given on the command line: values, files, switches. Shared by the commands that run programs."""
 
 import argparse
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from deburr import paths
+from deburr import paths, source
 from deburr.config import ConfigError
 from deburr.inputs import Inputs
 from deburr_grammar.dialect import Dialect
@@ -16,6 +16,7 @@ _FILES = {
     "--tool-table": "tool-table",
 }
 """Options that name a file of a dialect's setting."""
+_VALUES = "variables"
 
 
 def add_inputs(found: argparse.ArgumentParser) -> None:
@@ -41,6 +42,25 @@ def inputs_of(arguments: argparse.Namespace) -> Inputs:
         block_delete=None if arguments.block_delete is None else arguments.block_delete == "on",
         simulate=arguments.machine_values == "simulate",
     )
+
+
+def inputs_for(inputs: Inputs, values: str | None, dialect: Dialect) -> Inputs:
+    """The inputs of a dialect's programs: in one that has no setting for a file of values, `--variables` gives them as `-D` does, which wins."""
+    if values is None or any(setting.name == _VALUES for setting in dialect.settings):
+        return inputs
+    return inputs._replace(define={**_values_in(values), **inputs.define})
+
+
+def _values_in(file: str) -> Mapping[str, str]:
+    from deburr.formats.variables import read_values
+
+    try:
+        read = read_values(source.text(paths.data(file)), file)
+    except OSError as error:
+        raise ConfigError(f"{file}: {error.strerror}") from None
+    if read.defects:
+        raise ConfigError(*(f"{file}:{each.line + 1}:{each.span.start + 1}: {each.why}" for each in read.defects))
+    return {name: value.text for name, value in read.known.items()}
 
 
 def defines(said: Sequence[str]) -> dict[str, str]:
@@ -87,5 +107,5 @@ def known(arguments: argparse.Namespace, dialect: Dialect) -> None:
             raise ConfigError(f"--{name.replace('_', '-')}: means nothing to {dialect.name} programs")
     names = {setting.name for setting in dialect.settings}
     for option, name in _FILES.items():
-        if getattr(arguments, name.replace("-", "_")) is not None and name not in names:
+        if getattr(arguments, name.replace("-", "_")) is not None and name not in (*names, _VALUES):
             raise ConfigError(f"{option}: {dialect.name} programs have no such input")

@@ -9,6 +9,7 @@ from deburr.analysis import Analysis
 from deburr.check import check
 from deburr.cli.disk import Disk
 from deburr.cli.files import STDIN, Target
+from deburr.cli.inputs import inputs_for
 from deburr.config import Config, RuleSets
 from deburr.configfile import Configs
 from deburr.detect import Answer, Hints, detect
@@ -45,6 +46,8 @@ class Options(NamedTuple):
     stdin_name: str | None = None
     texts: bool = False
     inputs: Inputs = Inputs()
+    values: str | None = None
+    """The file that `--variables` names."""
 
 
 class Checker:
@@ -83,9 +86,9 @@ class Checker:
         self._configs.require(config, dialect)
         host: Host = self._disk if name else NoFiles()
         ruleset = self._rulesets.of(dialect, config, name or file)
-        run = _Runs()
+        run, inputs = _Runs(), inputs_for(self._options.inputs, self._options.values, dialect)
         runs = run if config.runs else None
-        findings = check(found, dialect, ruleset, file, host, runs, self._options.inputs, mend=True)
+        findings = check(found, dialect, ruleset, file, host, runs, inputs, mend=True)
         shown = texts(findings, file, found, host) if self._options.texts and findings else ()
         fails = any(finding.severity >= config.fail_on for finding in findings)
         return Outcome(

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.fault import Fault
+from deburr.formats.variables import Defect, Values, read_values
 from deburr.host import NoFiles
 from deburr.includes import beside
 from deburr_grammar.dialects.metagcode.forms import names
-from deburr_grammar.dialects.metagcode.values import Defect, Values, read_values
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
+from deburr.formats.variables import Value, Values, read_values
 from deburr.host import NoFiles
 from deburr.includes import beside
 from deburr.rule import Note
 from deburr.rules.metagcode._gathered import Gathered, gathered
 from deburr_grammar.chunk import Chunk
 from deburr_grammar.dialects.metagcode.forms import names
-from deburr_grammar.dialects.metagcode.values import Value, Values, read_values
 from deburr_grammar.text import Span
 
 

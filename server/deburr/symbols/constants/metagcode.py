@@ -8,14 +8,14 @@ from functools import lru_cache, partial
 from typing import TYPE_CHECKING
 
 from deburr.arithmetic.metagcode import DECIMALS, Counted, passes
+from deburr.formats.variables import Value as Given
+from deburr.formats.variables import Values, read_values
 from deburr.includes import Folder, beside
 from deburr.symbols.constants import Held, Length, Settings, Value, count
 from deburr.symbols.metagcode import counted as counters_of
 from deburr.symbols.metagcode import loops_around
 from deburr_grammar.dialects.metagcode.forms import Group, number
 from deburr_grammar.dialects.metagcode.forms import name as name_of
-from deburr_grammar.dialects.metagcode.values import Value as Given
-from deburr_grammar.dialects.metagcode.values import Values, read_values
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
