@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from deburr.analysis import Analysis
-from deburr.ide.completion import completions, resolved
+from deburr.ide.completion import MOST, completions, resolved
 from deburr.ide.fixes import quick_fixes
 from deburr.ide.signature import signature
 from deburr_grammar.dialects import by_name
@@ -103,6 +103,15 @@ def test_a_local_name_is_offered_where_it_means_something() -> None:
     names = {item.text for item in completions(view, pos)}
     assert "#<outer>" in names
     assert "#<inner>" not in names
+
+
+def test_of_more_names_than_can_be_offered_those_that_go_on_as_is_written() -> None:
+    labels = "".join(f"N{number} G1\n" for number in range(1, 3_000))
+    view, pos = at_cursor("z32", f"(P)\n{labels}!GON<|>\n")
+    assert [item.text for item in completions(view, pos)] == [str(number) for number in range(1, MOST + 1)]
+    view, pos = at_cursor("z32", f"(P)\n{labels}!GON299<|>\n")
+    found = [item.text for item in completions(view, pos)]
+    assert found == ["299", *(f"299{digit}" for digit in range(10))]
 
 
 def test_what_a_table_says_of_an_item() -> None:

@@ -23,14 +23,17 @@ def definition(view: View, pos: Pos) -> list[Spot]:
 def definitions(view: View, placed: Placed) -> list[Spot]:
     """The places that define what is named; without any, its file, or where it is set."""
     symbol = placed.mention.symbol
-    found = list(uses(view, symbol, placed.region))
-    defining = [Spot(each.file, one.line, one.mention.inner) for each, one in found if one.mention.act is Act.DEFINE]
-    own = [spot for spot in defining if spot.file == view.file]
+    defining = _spots(view, placed, Act.DEFINE)
     if defining:
-        return own or defining
+        return [spot for spot in defining if spot.file == view.file] or defining
     if file := file_of(view, symbol):
         return [Spot(file, 0, Span(0, 0))]
-    return [Spot(each.file, one.line, one.mention.inner) for each, one in found if one.mention.act is Act.SET]
+    return _spots(view, placed, Act.SET)
+
+
+def _spots(view: View, placed: Placed, act: Act) -> list[Spot]:
+    found = uses(view, placed.mention.symbol, placed.region, act)
+    return [Spot(each.file, one.line, one.mention.inner) for each, one in found]
 
 
 def file_of(view: View, symbol: Symbol) -> str | None:

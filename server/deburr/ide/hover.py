@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial
+from itertools import islice
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr.ide.definition import file_of
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 
 _LISTED = 3
 """So many lines are named; of more, only how many there are."""
+_MOST = 500
+"""So many uses are looked at: to count all would take longer the longer a program is."""
 _LONGEST = 60
 _USED = (Sort.VARIABLE, Sort.WORD, Sort.SUB, Sort.LABEL, Sort.SECTION)
 _HOLDING = (Sort.VARIABLE, Sort.WORD)
@@ -122,7 +125,7 @@ def _scope(placed: Placed) -> str:
 
 def _found(view: View, placed: Placed) -> Found:
     found: Found = {}
-    for each, one in uses(view, placed.mention.symbol, placed.region):
+    for each, one in islice(uses(view, placed.mention.symbol, placed.region), _MOST):
         found.setdefault(one.mention.act, []).append((each, one))
     return found
 
@@ -157,10 +160,11 @@ def _places(view: View, sort: Sort, found: Found) -> str:
 
 
 def _said(word: str, view: View, places: Sequence[tuple[View, Placed]]) -> str:
-    listed = [_place(view, each, one.line) for each, one in places]
-    listed = list(dict.fromkeys(listed))
-    more = f" and {len(listed) - _LISTED} more" if len(listed) > _LISTED else ""
-    text = f"{word} in {', '.join(listed[:_LISTED])}{more}"
+    lines = dict.fromkeys((each.file, one.line) for each, one in places)
+    listed = [_place(view, *line) for line in islice(lines, _LISTED)]
+    over = "over " if len(places) > _MOST - 2 * _LISTED else ""
+    more = f" and {over}{len(lines) - _LISTED} more" if len(lines) > _LISTED else ""
+    text = f"{word} in {', '.join(listed)}{more}"
     if word == "set" and len(places) == 1:
         each, one = places[0]
         line = each.document.line(one.line).strip()
@@ -168,7 +172,7 @@ def _said(word: str, view: View, places: Sequence[tuple[View, Placed]]) -> str:
     return text
 
 
-def _place(view: View, other: View, line: int) -> str:
+def _place(view: View, file: str, line: int) -> str:
     """A line as people count; in other files with their names."""
-    name = "" if other.file == view.file else f" of `{other.file.rpartition('/')[2]}`"
+    name = "" if file == view.file else f" of `{file.rpartition('/')[2]}`"
     return f"line {line + 1}{name}"

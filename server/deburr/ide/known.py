@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from deburr.symbols import Act, Sort, Symbol, entry_of, language_of
@@ -25,7 +26,7 @@ _FARTHEST = 20_000
 """So many lines between an assignment and a place are looked through."""
 _LEAVING = (Sort.SUB, Sort.SECTION, Sort.FILE)
 _MOST = 1_000
-"""A name that is named more often than this has no known value."""
+"""A name that is set so often has no known value."""
 
 Opener = tuple[int, Bracket]
 
@@ -71,8 +72,9 @@ def _assigned(view: View, placed: Placed, constants: Constants) -> Value | None:
     entry = entry_of(symbol, view.dialect.codes)
     if entry is not None and (entry.more.get("access") == "read" or entry.more.get("known") != "program"):
         return None
-    sets = list(_sets(document, symbol, placed.region, "" if entry is None else str(entry.more.get("prefix", ""))))
-    if len(sets) > _MOST:
+    prefix = "" if entry is None else str(entry.more.get("prefix", ""))
+    sets = list(islice(_sets(document, symbol, placed.region, prefix), _MOST))
+    if len(sets) == _MOST:
         return None
     if placed.mention.act is Act.SET:
         text = constants.assigned(document, line, placed.mention, view.ruleset.settings)
@@ -91,9 +93,7 @@ def _assigned(view: View, placed: Placed, constants: Constants) -> Value | None:
 def _sets(document: Document, symbol: Symbol, where: Region, prefix: str) -> Iterator[Placed]:
     """The places that set a name, and those that may because only the run knows which name they set."""
     for each, within in ((symbol, where), (Symbol(Sort.VARIABLE, "", table=prefix), None)):
-        for placed in mentions_of(document, each, within):
-            if placed.mention.act is Act.SET:
-                yield placed
+        yield from mentions_of(document, each, within, Act.SET)
 
 
 def _runs_before(document: Document, last: Placed, placed: Placed, sets: list[Placed]) -> bool:
@@ -155,7 +155,7 @@ def _brackets(document: Document, first: int, last: int) -> Iterator[Opener]:
 def _leaves(document: Document, first: int, last: int) -> bool:
     """Whether something is called between two lines that may set what all programs share."""
     return any(
-        placed.mention.act is Act.CALL and first <= placed.line <= last
+        first <= placed.line <= last
         for symbol in all_symbols(document, *_LEAVING)
-        for placed in mentions_of(document, symbol)
+        for placed in mentions_of(document, symbol, act=Act.CALL)
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from deburr.symbols import Sort, Symbol, language_of
+from deburr.symbols import Act, Sort, Symbol, language_of
 from deburr.symbols.index import Placed, Region, all_symbols, mentions_of
 
 if TYPE_CHECKING:
@@ -48,8 +48,8 @@ def where(view: View, symbol: Symbol) -> list[View]:
     return related(view) if symbol.sort in _SHARED and not symbol.local else [view]
 
 
-def uses(view: View, symbol: Symbol, region: Region) -> Iterator[tuple[View, Placed]]:
-    """All places that name a symbol, in all programs that can."""
+def uses(view: View, symbol: Symbol, region: Region, act: Act | None = None) -> Iterator[tuple[View, Placed]]:
+    """All places that name a symbol, or do one thing with it, in all programs that can."""
     for each in where(view, symbol):
-        for placed in mentions_of(each.document, symbol, region):
+        for placed in mentions_of(each.document, symbol, region, act):
             yield each, placed

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.symbols import SOUGHT, Language, Mention, Sort, Symbol, language_of
+from deburr.symbols import SOUGHT, Act, Language, Mention, Sort, Symbol, language_of
 from deburr_grammar.dialect import Bracket, Reading, Role
 
 if TYPE_CHECKING:
@@ -69,11 +69,13 @@ def region(document: Document, line: int) -> Region:
     return before
 
 
-def mentions_of(document: Document, symbol: Symbol, where: Region = None) -> Iterator[Placed]:
-    """All places that name a symbol, in order; of a local one those in its region."""
+def mentions_of(document: Document, symbol: Symbol, where: Region = None, act: Act | None = None) -> Iterator[Placed]:
+    """All places that name a symbol, or do one thing with it, in order; of a local one those in its region."""
     index = _Index.of(document)
-    for piece in index.pieces(symbol) if index is not None and symbol.sort in SOUGHT else ():
+    for piece in index.pieces(symbol, act) if index is not None and symbol.sort in SOUGHT else ():
         for at, mention in index.placed(piece)[symbol] if index is not None else ():
+            if act is not None and mention.act is not act:
+                continue
             line = piece.line + at
             within = region(document, line) if symbol.local else None
             if within == where:
@@ -101,6 +103,13 @@ def all_symbols(document: Document, *sorts: Sort) -> frozenset[Symbol]:
     return document.gathered((index.key, chosen), lambda piece: _of_sorts(index.symbols(piece), chosen))
 
 
+def all_called(document: Document, sort: Sort) -> frozenset[Symbol]:
+    """The symbols of a sort to which something goes."""
+    index = _Index.of(document)
+    found = frozenset[Symbol]() if index is None else document.gathered((index.key, Act.CALL), index.doing(Act.CALL))
+    return _of_sorts(found, frozenset((sort,)))
+
+
 class _Index:
     """The mentions of a document under the names that its language takes from all of it."""
 
@@ -116,9 +125,20 @@ class _Index:
         language = language_of(document.dialect.name)
         return None if language is None else cls(document, language)
 
-    def pieces(self, symbol: Symbol) -> Iterator[Piece]:
-        """The pieces that name a symbol."""
-        return self._document.holding(self.key, self.symbols, symbol)
+    def pieces(self, symbol: Symbol, act: Act | None = None) -> Iterator[Piece]:
+        """The pieces that name a symbol, or do one thing with it."""
+        if act is None:
+            return self._document.holding(self.key, self.symbols, symbol)
+        return self._document.holding((self.key, act), self.doing(act), symbol)
+
+    def doing(self, act: Act) -> Callable[[Piece], frozenset[Symbol]]:
+        """With what a piece does one thing."""
+
+        def of(piece: Piece) -> frozenset[Symbol]:
+            found = self.placed(piece).items()
+            return frozenset(symbol for symbol, places in found if any(each.act is act for _, each in places))
+
+        return of
 
     def symbols(self, piece: Piece) -> frozenset[Symbol]:
         """What a piece names."""

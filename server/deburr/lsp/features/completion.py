@@ -2,7 +2,7 @@
 
 from lsprotocol import types
 
-from deburr.ide.completion import completions, resolved
+from deburr.ide.completion import MOST, completions, resolved
 from deburr.ide.signature import signature
 from deburr.lsp.report import Json
 from deburr.lsp.server import Server, feature
@@ -36,7 +36,8 @@ def on_completion(server: Server, params: types.CompletionParams) -> Json | None
         item |= {"detail": each.detail} if each.detail else {}
         item |= {"data": [dialect, each.table, each.name]} if each.table else {}
         found.append(item)
-    return {"isIncomplete": False, "items": found}
+    # Of a program with more names than are offered, others are offered as more is written.
+    return {"isIncomplete": len(found) >= MOST, "items": found}
 
 
 @feature(types.COMPLETION_ITEM_RESOLVE)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from deburr.arithmetic.z32 import constant, nearest, shown
 from deburr.symbols import Act, Sort, Symbol
 from deburr.symbols.constants import Held, Length, Settings, Value
-from deburr.symbols.index import all_symbols, mentions_of
+from deburr.symbols.index import all_called
 from deburr.symbols.z32 import mentions
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, walk
@@ -59,10 +59,11 @@ def counted(document: Document, line: int, symbol: Symbol, total: Value | None, 
 
 def disturbed(document: Document, first: int, last: int) -> bool:
     """Whether a jump can lead to one of these lines, or to others and back; what is too far away is not looked for."""
-    if last - first > _FARTHEST or Symbol(Sort.LABEL, "") in all_symbols(document, Sort.LABEL):
+    targets = all_called(document, Sort.LABEL)
+    if last - first > _FARTHEST or Symbol(Sort.LABEL, "") in targets:
         return True
     lines = (document.node(at) for at in range(first, last + 1))
-    return any("range_end" in line.kinds or _is_target(document, line) for line in lines)
+    return any("range_end" in line.kinds or not targets.isdisjoint(_labels(line)) for line in lines)
 
 
 def results(line: LineNode, settings: Settings) -> Iterator[tuple[Span, str]]:
@@ -86,6 +87,8 @@ def row(document: Document, line: int, mention: Mention) -> None:
     """There are no tables."""
 
 
-def _is_target(document: Document, line: LineNode) -> bool:
-    labels = [each.symbol for each in mentions(line, None) if each.symbol.sort is Sort.LABEL and each.act is Act.DEFINE]
-    return any(each.mention.act is Act.CALL for label in labels for each in mentions_of(document, label))
+def _labels(line: LineNode) -> Iterator[Symbol]:
+    """The numbers by which a line can be jumped to."""
+    if "nword" in line.kinds:
+        found = mentions(line, None)
+        yield from (each.symbol for each in found if each.symbol.sort is Sort.LABEL and each.act is Act.DEFINE)
