@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from deburr_grammar.codes import CodeTable
 from deburr_grammar.grammar import Grammar
+from deburr_grammar.layout import UNTOUCHED, Layout
 from deburr_grammar.problem import Problem, SyntaxFault
 from deburr_grammar.shape import Folding
 from deburr_grammar.text import Span
@@ -120,6 +121,7 @@ class Kind(Enum):
     PATH = "a file or folder"
     PATHS = "a list of files or folders"
     FLAG = "true or false"
+    WIDTH = "a number of blanks"
 
 
 class Setting(NamedTuple):
@@ -166,6 +168,8 @@ class Dialect:
     """Characters that may stand between words; all else of a line is in its tree."""
     modality: Modality | None = None
     """None: modal state is not followed."""
+    layout: Layout = UNTOUCHED
+    """What a formatter may do with its lines."""
     given: Callable[[Mapping[str, Any], Callable[[str], str | None]], frozenset[str]] = lambda settings, read: (
         frozenset()
     )

@@ -9,10 +9,11 @@ from typing import NamedTuple, TypeVar
 
 from deburr_grammar.chunk import SIZE, Branch, Chunk, grown
 from deburr_grammar.dialect import Bracket, Dialect, Reading
+from deburr_grammar.dialect import Step as Done
 from deburr_grammar.editing import Place, replaced
 from deburr_grammar.fold import Fold, carried, through
 from deburr_grammar.line import LineNode, Shape, shapes_of
-from deburr_grammar.outline import Before, Outlined, Outliner, facts_of
+from deburr_grammar.outline import Before, Outlined, Outliner, Stepped, facts_of
 from deburr_grammar.problem import Problem
 from deburr_grammar.search import Partners, Step
 from deburr_grammar.structure import Balance, StructureFault
@@ -158,6 +159,14 @@ class Document:
         for chunk, before in self._placed(self._root, self._outliner.start):
             yield Piece(first, chunk, before, self._outliner.outlined(chunk, before))
             first += chunk.eols
+
+    def steps(self, piece: Piece) -> Iterator[Stepped]:
+        """The marked lines of a piece, each with what holds before and behind it."""
+        return self._outliner.steps(piece.chunk, piece.before)
+
+    def step(self, before: Before, shape: Shape, text: str) -> Done:
+        """What a line would do where that holds before it."""
+        return self._outliner.step(before, shape, text)
 
     def key(self, piece: Piece) -> Hashable:
         """What the lines of a piece depend on besides their text: room for findings can be kept under it."""

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from deburr_grammar.chunk import Branch, Chunk
 from deburr_grammar.dialect import Bracket, Dialect, Reading, Step
 from deburr_grammar.line import LineNode, Shape
-from deburr_grammar.structure import EVEN, NOTHING, Balance, Reduction, balance, reduction, single
+from deburr_grammar.structure import EVEN, NOTHING, Balance, Reduction, balance, reduction
 from deburr_grammar.text import with_newlines
 
 _KEPT = 32
@@ -26,6 +26,15 @@ class Before(NamedTuple):
 
     state: Hashable
     balance: Balance
+
+
+class Stepped(NamedTuple):
+    """A marked line in its place: its number in the chunk, what holds before it, what it does, and what holds behind it."""
+
+    number: int
+    before: Before
+    step: Step
+    after: Before
 
 
 class Summed(NamedTuple):
@@ -115,20 +124,27 @@ class Outliner:
             state, total, running = found.state, total.then(found.balance), running.then(found.balance)
         return Summed(total, state, left)
 
+    def steps(self, chunk: Chunk, before: Before) -> Iterator[Stepped]:
+        """The marked lines of a chunk, in order."""
+        for index in chunk.marked:
+            step = self.step(before, chunk.shapes[index], chunk.line(index))
+            after = Before(step.state, before.balance.then(balance(step.brackets)))
+            yield Stepped(index, before, step, after)
+            before = after
+
+    def step(self, before: Before, shape: Shape, text: str) -> Step:
+        """What a marked line does where that holds before it."""
+        depth = before.balance.openers if shape.needs_depth else -1
+        return _step(self.dialect, self.facts, before.state, depth, shape, text)
+
     def _read(self, chunk: Chunk, before: Before) -> Outlined:
         outline = self.dialect.outline
-        state, running = before.state, before.balance
-        runs = [(0, outline.reading(state))]
+        runs, state = [(0, outline.reading(before.state))], before.state
         found: list[tuple[int, Bracket]] = []
-        for index in chunk.marked:
-            shape = chunk.shapes[index]
-            depth = running.openers if shape.needs_depth else -1
-            step = _step(self.dialect, self.facts, state, depth, shape, chunk.line(index))
+        for index, _, step, _ in self.steps(chunk, before):
+            state = step.state
             _run(runs, index, step.reading)
             found += [(index, bracket) for bracket in step.brackets]
-            for bracket in step.brackets:
-                running = running.then(single(bracket))
-            state = step.state
             _run(runs, index + 1, outline.reading(state))
         return Outlined(tuple(runs), tuple(found), balance(bracket for _, bracket in found), state, reduction(found))
 

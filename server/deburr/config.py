@@ -141,9 +141,13 @@ def made(dialect: Dialect, config: Config, ignored: Sequence[str] = ()) -> RuleS
     def on(rule: Rule) -> bool:
         return selected(rule, layers, ignored)
 
-    settings = {setting.name: config.get(dialect.name, setting).value for setting in dialect.settings}
     severities = {name: severity for name, severity in graded.items() if severity is not None}
-    return RuleSet(dialect, settings, on, severities)
+    return RuleSet(dialect, settings_of(dialect, config), on, severities)
+
+
+def settings_of(dialect: Dialect, config: Config) -> dict[str, Any]:
+    """The dialect's own settings."""
+    return {setting.name: config.get(dialect.name, setting).value for setting in dialect.settings}
 
 
 def from_command_line(values: Mapping[str, Any], selection: Selection) -> Config:

@@ -31,6 +31,19 @@ LENSES = (
     Setting("references", Kind.FLAG, True, "how often a subprogram or section is called"),
     Setting("passes", Kind.FLAG, True, "how often a loop goes round"),
 )
+FORMAT = (
+    Setting("indent", Kind.WIDTH, 2, "blanks by which the lines in a block are indented"),
+    Setting("indent-style", Kind.CHOICE, "space", "blanks, or a tab for each level", ("space", "tab")),
+    Setting(
+        "case",
+        Kind.CHOICE,
+        "keep",
+        "letters as they are, or as the dialect's manual writes them",
+        ("keep", "canonical"),
+    ),
+)
+WIDEST = 16
+"""The most that a setting of a width can be."""
 
 
 def _limit(axis: str, limit: Any) -> str:
@@ -67,6 +80,7 @@ def tables() -> dict[Path, tuple[Setting, ...] | Free]:
         ("check", "severity"): Free("the severity of single rules: error, warning, info or off", _severity),
         ("check", "per-file-ignores"): Free("rules or prefixes that are off for the files of a pattern", _ignores),
     }
+    found |= {("format",): FORMAT}
     found |= {(name,): by_name(name).settings for name in NAMES}
     editor = {("editor",): (), ("editor", "inlay-hints"): HINTS, ("editor", "code-lens"): LENSES}
     return found | {("machine",): MACHINE} | editor
@@ -130,6 +144,9 @@ def wrong(setting: Setting, value: Any) -> str:
             return "" if isinstance(value, Mapping) else f"must be a table, not {_kind(value)}"
         case Kind.FLAG:
             return "" if isinstance(value, bool) else f"must be true or false, not {_said(value)}"
+        case Kind.WIDTH:
+            good = isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= WIDEST
+            return "" if good else f"must be a number from 0 to {WIDEST}, not {_said(value)}"
         case Kind.TEXT | Kind.PATH:
             return "" if isinstance(value, str) else f"must be a text, not {_kind(value)}"
 

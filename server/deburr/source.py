@@ -8,7 +8,8 @@ from deburr_grammar.text import Span, split_lines
 
 PADDING = "nul-bytes"
 MARK = "byte-order-mark"
-_BOM = b"\xef\xbb\xbf"
+_MARK = "\ufeff"
+_BOM = _MARK.encode()
 _WIDE = (b"\xff\xfe", b"\xfe\xff")
 
 
@@ -30,6 +31,17 @@ class Source(NamedTuple):
     def shift(self) -> int:
         """How many columns the first line of the text stands to the right of where it stands in the file."""
         return len(self.lead)
+
+    @property
+    def whole(self) -> str:
+        """All characters of the file: its mark, its padding and its text."""
+        return f"{_MARK if self.bom else ''}{self.lead}{self.text}{self.tail}"
+
+    @property
+    def data(self) -> bytes:
+        """The bytes of the file."""
+        mark = _BOM if self.bom else b""  # Also before text that is not UTF-8.
+        return mark + f"{self.lead}{self.text}{self.tail}".encode(self.encoding)
 
     def notices(self) -> Iterator[Notice]:
         """What is to be said of the mark and the padding, in columns of the text: what leads it stands left of column 0."""

@@ -80,7 +80,7 @@ def test_no_dialect_imports_another(path: Path) -> None:
         assert not others, f"line {line} imports {module}"
 
 
-GRAMMAR_PARTS = {"codes", "dialect", "line", "problem", "shape", "structure", "text", "tree"}
+GRAMMAR_PARTS = {"codes", "dialect", "layout", "line", "problem", "shape", "structure", "text", "tree"}
 
 
 @pytest.mark.parametrize(

@@ -73,6 +73,12 @@ def test_what_is_offered_is_there_and_the_other_way_round() -> None:
         "workspaceSymbolProvider": {types.WORKSPACE_SYMBOL},
         "foldingRangeProvider": {types.TEXT_DOCUMENT_FOLDING_RANGE},
         "selectionRangeProvider": {types.TEXT_DOCUMENT_SELECTION_RANGE},
+        "documentFormattingProvider": {types.TEXT_DOCUMENT_FORMATTING},
+        "documentRangeFormattingProvider": {
+            types.TEXT_DOCUMENT_RANGE_FORMATTING,
+            types.TEXT_DOCUMENT_RANGES_FORMATTING,
+        },
+        "documentOnTypeFormattingProvider": {types.TEXT_DOCUMENT_ON_TYPE_FORMATTING},
         "codeActionProvider": {types.TEXT_DOCUMENT_CODE_ACTION, types.CODE_ACTION_RESOLVE},
         "semanticTokensProvider": {
             types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE,

@@ -6,7 +6,7 @@ import sys
 from deburr import paths, source
 from deburr.cli.common import add_config, add_dialect, unable
 from deburr.cli.files import STDIN
-from deburr.cli.run import hints
+from deburr.cli.opening import hints
 from deburr.config import ConfigError
 from deburr.configfile import Configs
 from deburr.detect import Answer, detect

@@ -3,9 +3,7 @@
 import os
 import sys
 from collections.abc import Iterator, Sequence
-from errno import EISDIR
 from mmap import ACCESS_READ, mmap
-from pathlib import Path
 from time import monotonic
 from typing import IO, NamedTuple
 
@@ -14,21 +12,21 @@ from deburr.analysis import Analysis
 from deburr.check import in_file, opened
 from deburr.cli.common import complain
 from deburr.cli.disk import Disk
-from deburr.cli.files import STDIN
+from deburr.cli.files import STDIN, Target
+from deburr.cli.opening import Opener, Unopened
+from deburr.cli.replacing import replacing
 from deburr.cli.result import Result
-from deburr.cli.run import Outcome, hints, texts
+from deburr.cli.run import Outcome, texts
 from deburr.cli.style import style_for
 from deburr.config import ConfigError, RuleSets
 from deburr.configfile import Configs
-from deburr.detect import detect
 from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive
 from deburr.finding import Finding, Severity
 from deburr.host import Host, NoFiles
 from deburr.ran import before_a_run, merged, worded
 from deburr.ruleset import RuleSet
-from deburr.source import NotAProgram, Source
+from deburr.source import Source
 from deburr_grammar.dialect import Dialect
-from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.document import Document
 
 _PATIENCE = 2.0
@@ -58,32 +56,22 @@ class Terms(NamedTuple):
 
 def opened_programs(files: Sequence[str], dialect: str | None, configs: Configs) -> tuple[Opened, ...]:
     """The programs of some files, all of one dialect."""
-    rulesets, disk = RuleSets(), Disk()
-    found = tuple(_opened(file, dialect, configs, rulesets, disk) for file in files)
+    opener, rulesets, disk = Opener(configs, dialect), RuleSets(), Disk()
+    found = tuple(_opened(file, opener, rulesets, disk) for file in files)
     names = {each.dialect.name for each in found}
     if len(names) > 1:
         raise ConfigError(f"programs of several dialects cannot be joined: {', '.join(sorted(names))}")
     return found
 
 
-def _opened(file: str, asked: str | None, configs: Configs, rulesets: RuleSets, disk: Disk) -> Opened:
-    name = "" if file == STDIN else paths.absolute(file)
-    try:
-        data = paths.bounded(sys.stdin.buffer) if file == STDIN else paths.data(name)
-    except OSError as error:
-        raise ConfigError(f"{file}: {error.strerror or 'cannot be read'}") from None
-    read = source.read(data)
-    if isinstance(read, NotAProgram):
-        raise ConfigError(f"{file}: {read.reason}")
-    config = configs.of(name) if name else configs.in_folder(paths.working_folder())
-    answer = detect(name, read.text, hints(asked, name, config))
-    if answer.dialect is None:
-        raise ConfigError(f"{file}: {answer.reason}; say which with --dialect ({', '.join(NAMES)})")
-    dialect = by_name(answer.dialect)
-    configs.require(config, dialect)
-    host: Host = disk if name else NoFiles()
-    ruleset = rulesets.of(dialect, config, name or file)
-    return Opened(name or file, read, dialect, ruleset, opened(read, dialect, ruleset, host), host)
+def _opened(file: str, opener: Opener, rulesets: RuleSets, disk: Disk) -> Opened:
+    found = opener.opened(Target(file if file == STDIN else paths.absolute(file), True))
+    if isinstance(found, Unopened):
+        raise ConfigError(f"{file}: {found.failure}")
+    host: Host = disk if found.name else NoFiles()
+    ruleset = rulesets.of(found.dialect, found.config, found.file)
+    document = opened(found.source, found.dialect, ruleset, host)
+    return Opened(found.file, found.source, found.dialect, ruleset, document, host)
 
 
 class Flat:
@@ -137,7 +125,7 @@ class Flat:
         if output is None:
             self._copy(sys.stdout.buffer)
         else:
-            with _replacing(output) as out:
+            with replacing(output) as out:
                 self._copy(out)
         return 0 if self.whole else 1
 
@@ -157,7 +145,7 @@ class Flat:
             os.path.relpath(output, folder).replace(os.sep, "/") if output else "",
             lambda file: os.path.relpath(file, folder).replace(os.sep, "/"),
         )
-        with _replacing(path) as out:
+        with replacing(path) as out:
             out.writelines(text.encode() for text in texts)
 
 
@@ -226,33 +214,3 @@ def _say(found: list[Finding], flat: Flat) -> None:
         wanted = flat.terms.inputs.partial and flat.count
         what = f"only {flat.count:,} lines were written" if wanted else "nothing was written"
         complain(f"{what}: {errors} error{'s' if errors > 1 else ''}", "")
-
-
-class _replacing:
-    """A file that appears under its name when all of it is written, or not at all. Links are followed, modes kept; what is no regular file is written into."""
-
-    def __init__(self, path: str) -> None:
-        self._path = Path(path).resolve()
-        self._device = self._path.exists() and not self._path.is_file()
-        self._part = self._path.with_name(f".{self._path.name}.{os.getpid()}.part")
-
-    def __enter__(self) -> IO[bytes]:
-        if self._path.is_dir():
-            raise IsADirectoryError(EISDIR, os.strerror(EISDIR), str(self._path))
-        try:
-            self._out = (self._path if self._device else self._part).open("wb")
-        except OSError as error:
-            error.filename = str(self._path)
-            raise
-        return self._out
-
-    def __exit__(self, kind: object, *_: object) -> None:
-        self._out.close()
-        if self._device:
-            return
-        if kind is None:
-            if self._path.exists():
-                self._part.chmod(self._path.stat().st_mode & 0o7777)
-            self._part.replace(self._path)
-        else:
-            self._part.unlink(missing_ok=True)

@@ -11,6 +11,7 @@ from deburr import __version__
 COMMANDS = {
     "check": "lint files, folders or standard input",
     "expand": "print the flat program that a control would execute",
+    "format": "lay out files, folders or standard input; what they say is never changed",
     "rule": "what a rule means, with a bad and a good example",
     "explain-dialect": "which dialect a file is written in, and why",
     "config": "the effective configuration of a file and where each value comes from",

@@ -1,23 +1,20 @@
 """One file from its bytes to an outcome, and many of them on several cores in the same order. Prints nothing."""
 
-import sys
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from deburr import paths, source
 from deburr.analysis import Analysis
 from deburr.check import check
 from deburr.cli.disk import Disk
 from deburr.cli.files import STDIN, Target
 from deburr.cli.inputs import inputs_for
-from deburr.config import Config, RuleSets
+from deburr.cli.opening import Opener, Unopened
+from deburr.config import RuleSets
 from deburr.configfile import Configs
-from deburr.detect import Answer, Hints, detect
 from deburr.finding import Finding
 from deburr.host import Host, NoFiles
 from deburr.inputs import Inputs
-from deburr.source import NotAProgram, Source
-from deburr_grammar.dialects import NAMES, by_name
+from deburr.source import Source
 from deburr_grammar.text import split_lines
 
 AROUND = 2
@@ -54,36 +51,17 @@ class Checker:
     """Checks files one by one and keeps what they share: configurations, rule sets, files read."""
 
     def __init__(self, configs: Configs, options: Options) -> None:
-        self._configs = configs
+        self._opener = Opener(configs, options.dialect, options.stdin_name)
         self._options = options
         self._rulesets = RuleSets()
         self._disk = Disk()
 
     def outcome(self, target: Target) -> Outcome:
         """What becomes of a file."""
-        if target.failure:
-            return Outcome(target.file, failure=target.failure)
-        file, name = target.file, target.file
-        if file == STDIN:
-            name = paths.absolute(self._options.stdin_name) if self._options.stdin_name else ""
-            file = name or STDIN
-        try:
-            data = paths.bounded(sys.stdin.buffer) if target.file == STDIN else paths.data(file)
-        except OSError as error:
-            return Outcome(file, failure=error.strerror or "cannot be read")
-        config = self._configs.of(name) if name else self._configs.in_folder(paths.working_folder())
-        return self._checked(source.read(data), file, name, target.named, config)
-
-    def _checked(self, found: Source | NotAProgram, file: str, name: str, named: bool, config: Config) -> Outcome:
-        text = found.text if isinstance(found, Source) else ""
-        answer = detect(name, text, hints(self._options.dialect, name, config))
-        if isinstance(found, NotAProgram) and (named or answer.dialect):
-            return Outcome(file, failure=found.reason)
-        if answer.dialect is None or isinstance(found, NotAProgram):
-            way_out = f"{answer.reason}; say which with --dialect ({', '.join(NAMES)})"
-            return Outcome(file, reason=answer.reason, failure=way_out if named else "")
-        dialect = by_name(answer.dialect)
-        self._configs.require(config, dialect)
+        opening = self._opener.opened(target)
+        if isinstance(opening, Unopened):
+            return Outcome(opening.file, reason=opening.reason, failure=opening.failure)
+        file, name, config, found, dialect, reason = opening
         host: Host = self._disk if name else NoFiles()
         ruleset = self._rulesets.of(dialect, config, name or file)
         run, inputs = _Runs(), inputs_for(self._options.inputs, self._options.values, dialect)
@@ -91,9 +69,7 @@ class Checker:
         findings = check(found, dialect, ruleset, file, host, runs, inputs, mend=True)
         shown = texts(findings, file, found, host) if self._options.texts and findings else ()
         fails = any(finding.severity >= config.fail_on for finding in findings)
-        return Outcome(
-            file, dialect.name, answer.reason, tuple(findings), fails, "", config.origin, shown, run.misgiven
-        )
+        return Outcome(file, dialect.name, reason, tuple(findings), fails, "", config.origin, shown, run.misgiven)
 
 
 class _Runs:
@@ -112,15 +88,6 @@ class _Runs:
         except Misgiven as wrong:
             self.misgiven = str(wrong)
             return []
-
-
-def hints(asked: str | None, file: str, config: Config) -> Hints:
-    """What the command line and the configuration say of a file's dialect."""
-    configured = config.dialect_of(file) if file else None
-    if configured is None:
-        return Hints(asked)
-    name, glob = configured
-    return Hints(asked, None, Answer(name, f"`{glob.pattern}` in [files] of {glob.origin}"))
 
 
 def outcomes(checker: Checker, targets: Sequence[Target], jobs: int) -> Iterator[Outcome]:

@@ -12,7 +12,7 @@ from deburr.dev import filetypes
 from deburr.dev.manifest import FOLDER, files_for_vscode
 from deburr.page import kind, markdown
 from deburr.rule import rule_names, rules_of
-from deburr.schema import LEVELS, TOP, Free, tables
+from deburr.schema import LEVELS, TOP, WIDEST, Free, tables
 from deburr_grammar.dialect import Kind, Setting
 from deburr_grammar.dialects import NAMES, by_name
 
@@ -113,6 +113,7 @@ def _value(setting: Setting) -> dict[str, Any]:
         Kind.PATHS: {"type": "array", "items": {"type": "string"}},
         Kind.TABLE: {"type": "object"},
         Kind.FLAG: {"type": "boolean"},
+        Kind.WIDTH: {"type": "integer", "minimum": 0, "maximum": WIDEST},
     }
     default = {} if setting.default is None else {"default": _plain(setting.default)}
     return {"description": setting.text, **types[setting.kind], **default}

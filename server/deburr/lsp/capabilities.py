@@ -40,6 +40,13 @@ _PROVIDERS: dict[str, Any] = {
     "workspaceSymbolProvider": True,
     "foldingRangeProvider": True,
     "selectionRangeProvider": True,
+    "documentFormattingProvider": True,
+    "documentRangeFormattingProvider": {"rangesSupport": True},
+    "documentOnTypeFormattingProvider": {
+        "firstTriggerCharacter": "\n",
+        # With these the words end that end blocks or part them, in letters of either case.
+        "moreTriggerCharacter": list("bBeEfFpPtT"),
+    },
     "codeActionProvider": {
         "codeActionKinds": [
             "quickfix",
