@@ -249,6 +249,12 @@ def test_comments_keep_lines_as_they_are(name: str) -> None:
     check(name, text, kept)
 
 
+def test_blanks_that_part_two_line_ends_stay() -> None:
+    check("rs274", "G0\r  \nG1\r\n  \nG1\n  \r  \r\n", "G0\r  \nG1\r\n\nG1\n\r\r\n")
+    # Also where the two stand in chunks of their own.
+    check("rs274", f"({'x' * 60})\r  \nG1", f"({'x' * 60})\r  \nG1")
+
+
 def test_of_lines_far_apart_only_those_of_the_range_are_touched() -> None:
     text = "g0x1\n" * 1_000
     assert laid_out(text, "rs274", first=500, last=501) == "g0x1\n" * 500 + "g0 x1\n" * 2 + "g0x1\n" * 498

@@ -85,7 +85,7 @@ def laid_out(document: Document, stand: Stand, lead: str | None, style: Style) -
 def proven(document: Document, stand: Stand, plan: Plan, new: str) -> Iterator[Edit]:
     """The smallest edit that gives a line its new form; none where that is not proven to say and do the same as the one it has."""
     old = stand.text
-    if new == old or not fits(old, new, document.dialect):
+    if new == old or not fits(old, new, document.dialect) or (not new and _parts(document, stand.line)):
         return
     if not says_the_same(old, stand.shape, new, stand.reading, plan) or not _does_the_same(document, stand, new):
         return
@@ -114,6 +114,16 @@ def _does_the_same(document: Document, stand: Stand, new: str) -> bool:
         return True
     shape = shapes_of(document.dialect).read(new)[0]
     return _outcome(document.step(stand.stepped.before, shape, new)) == _outcome(stand.stepped.step)
+
+
+def _parts(document: Document, line: int) -> bool:
+    """Whether all that parts two line ends stands on a line: without it `\\r` and `\\n` would be one."""
+    return line > 0 and _ending(document, line - 1) == "\r" and _ending(document, line) == "\n"
+
+
+def _ending(document: Document, line: int) -> str:
+    piece = document.piece(line)
+    return piece.chunk.ending(line - piece.line)
 
 
 def _outcome(step: Done) -> tuple[object, ...]:
