@@ -1,0 +1,39 @@
+"""A long day: every answer comes, and memory stays where it was after the first rounds. DEBURR_SOAK=MINUTES makes it that long."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections import Counter
+from collections.abc import Callable
+
+from support.client import PUSHED, Client
+from support.soak import FILES, Seen, Typist, requests
+
+MINUTES = float(os.environ.get("DEBURR_SOAK", "0"))
+ROUNDS, WARM = 6, 2
+PAUSE = 0.02
+"""Seconds between two keystrokes of the long run; someone who types fast needs ten times as many."""
+MOST = 0.05
+
+
+def test_every_request_is_answered_and_memory_is_flat(launch: Callable[..., Client]) -> None:
+    client = launch()
+    client.start(PUSHED)
+    typist = Typist(client, client.folder, (lambda: time.sleep(PAUSE)) if MINUTES else (lambda: None))
+    until = time.monotonic() + 60 * MINUTES
+    while len(typist.seen.resident) < ROUNDS or time.monotonic() < until:
+        # The long run is other work each time, so that caches fill up as well.
+        typist.round(len(typist.seen.resident) if MINUTES else 0)
+    assert client.stop() == 0
+    check(typist.seen, len(typist.seen.resident) // 3 if MINUTES else WARM)
+
+
+def check(seen: Seen, warm: int) -> None:
+    megabytes = [round(each / 1e6, 1) for each in seen.resident]
+    growth = seen.growth(warm)
+    print(f"{FILES} files, {len(megabytes)} rounds, {seen.edits} edits, {seen.answers.total()} answers")
+    print(f"resident MB after each round: {megabytes}; growth after round {warm}: {growth:.1%}")
+    assert Counter(seen.wrong) == Counter()
+    assert set(requests()) <= set(seen.answers)
+    assert growth < MOST
