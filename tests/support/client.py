@@ -42,9 +42,10 @@ class Refused(Exception):
 class Client:
     """A server process and what it has said."""
 
-    def __init__(self, folder: Path, *arguments: str) -> None:
-        environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
-        command = [sys.executable, "-m", "deburr", "server", *arguments]
+    def __init__(self, folder: Path, *arguments: str, module: str = "deburr", **more: str) -> None:
+        """Start `python -m MODULE server ARGUMENTS` in a folder, in an environment with ``more`` in it."""
+        environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", **more}
+        command = [sys.executable, "-m", module, "server", *arguments]
         pipe = subprocess.PIPE
         self.log = TemporaryFile()  # noqa: SIM115  it lives as long as the process.
         self.process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=self.log, cwd=folder, env=environment)
@@ -54,6 +55,8 @@ class Client:
         self.answer: Callable[[Json], Any] = lambda request: (
             [None] if "items" in (request.get("params") or {}) else None
         )
+        self.answered: list[Any] = []
+        """The numbers of all requests that were answered, in that order."""
         self._arrived: Queue[Json | None] = Queue()
         self._answers: dict[Any, Json] = {}
         self._number = 0
@@ -182,6 +185,7 @@ class Client:
             raise EOFError(f"the server has gone: {self.process.wait(PATIENCE)}\n{self.logged()}")
         if "method" not in message:
             self._answers[message["id"]] = message
+            self.answered.append(message["id"])
             return
         self.said.append(message)
         if "id" in message:

@@ -1,0 +1,143 @@
+"""What an editor waits for, over standard input and output: deburr's server and a stock one of pygls, on the same texts."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from random import Random
+from statistics import median
+from tempfile import TemporaryDirectory
+from time import perf_counter, sleep
+from typing import Any, NamedTuple
+
+from benchmarks.ours import SEED, read
+from tests.support.client import PUSHED, Client, edit
+
+OURS, STOCK = "deburr", "benchmarks.stock"
+"""The modules of the servers."""
+ASKED = ("hover", "completion", "definition")
+PAUSE = 0.05
+"""Seconds between keystrokes: someone types, so the check of the whole program has begun again at the next one."""
+_ROOT = Path(__file__).parents[1]
+_NAME = re.compile(r"#<(\w+)>|o<(\w+)>|#([0-9]+)|([A-Z])[-0-9]")
+
+
+class Times(NamedTuple):
+    """Median seconds of keystrokes and of requests, and the server's bytes in memory."""
+
+    opened: float
+    typed: float
+    asked: dict[str, float]
+    resident: int
+
+
+class Start(NamedTuple):
+    """Seconds from the start of a process to two of its answers; whether all answers came in the order of the requests."""
+
+    initialized: float
+    hover: float
+    in_order: bool
+
+
+@contextmanager
+def server(module: str, **more: str) -> Iterator[Client]:
+    """A server that has just been started, in an empty folder."""
+    with TemporaryDirectory() as folder:
+        client = Client(Path(folder), module=module, PYTHONPATH=str(_ROOT), **more)
+        try:
+            yield client
+        finally:
+            client.kill()
+
+
+def times(module: str, path: str, places: int, *, requests: bool = True) -> Times:
+    """What a server takes with one program open, at random places of it."""
+    text = read(path)
+    lines = text.split("\n")
+    with server(module) as client:
+        client.start(PUSHED)
+        start = perf_counter()
+        uri = client.open("program.ngc", text, "rs274")
+        client.pushed(uri)
+        opened = perf_counter() - start
+        random = Random(SEED)
+        asked = {method: _asked(client, uri, lines, method, random, places) for method in ASKED} if requests else {}
+        typed = [_typed(client, uri, lines, random) for _ in range(places)]
+        return Times(opened, median(typed), asked, resident(client.process.pid))
+
+
+def _typed(client: Client, uri: str, lines: Sequence[str], random: Random) -> float:
+    """Seconds from a keystroke to the diagnostics of the text with it."""
+    sleep(PAUSE)
+    line = random.randrange(len(lines) - 1)
+    col = next((col for col, char in enumerate(lines[line], 1) if char.isdigit()), 0)
+    client.said.clear()
+    start = perf_counter()
+    version = client.change(uri, edit(line, col, col, "7"))
+    client.wait("textDocument/publishDiagnostics", lambda params: params.get("version") == version)
+    return perf_counter() - start
+
+
+def _asked(client: Client, uri: str, lines: Sequence[str], method: str, random: Random, places: int) -> float:
+    taken = []
+    for _ in range(places):
+        line, col = _place(lines, random)
+        params = {"textDocument": {"uri": uri}, "position": {"line": line, "character": col}}
+        start = perf_counter()
+        client.request(f"textDocument/{method}", params)
+        taken.append(perf_counter() - start)
+    return median(taken)
+
+
+def _place(lines: Sequence[str], random: Random) -> tuple[int, int]:
+    """Somewhere in a name or a word."""
+    while True:
+        line = random.randrange(len(lines) - 1)
+        if found := list(_NAME.finditer(lines[line])):
+            match = random.choice(found)
+            return line, match.start(match.lastindex or 0)
+
+
+def starts(times: int) -> tuple[Start, Start]:
+    """The median starts of both servers, in turns so that a busy machine slows both alike; the first compiles and is not counted."""
+    found: dict[str, list[Start]] = {OURS: [], STOCK: []}
+    with TemporaryDirectory() as cache:
+        for _ in range(times + 1):
+            for module, taken in found.items():
+                taken.append(_start(module, cache))
+    ours, stock = (_middle(taken[1:]) for taken in found.values())
+    return ours, stock
+
+
+def _middle(taken: Sequence[Start]) -> Start:
+    initialized, hovered, in_order = zip(*taken)
+    return Start(median(initialized), median(hovered), all(in_order))
+
+
+def _start(module: str, cache: str) -> Start:
+    """All that an editor sends at its start is sent at once, as an impatient one would."""
+    text = "#<depth>=2\nG1 X#<depth> F100\nM2\n"
+    begin = perf_counter()
+    with server(module, PYTHONPYCACHEPREFIX=cache, PYTHONDONTWRITEBYTECODE="") as client:
+        number = client.ask("initialize", {"processId": None, "capabilities": PUSHED, "rootUri": None})
+        client.notify("initialized", {})
+        uri = client.open("program.ngc", text, "rs274")
+        position = {"textDocument": {"uri": uri}, "position": {"line": 1, "character": 6}}
+        numbers = [client.ask(f"textDocument/{method}", position) for method in ASKED]
+        client.result(number)
+        initialized = perf_counter() - begin
+        assert client.result(numbers[0]), "there is a name to hover over"
+        hovered = perf_counter() - begin
+        for each in numbers[1:]:
+            client.result(each)
+        order = [each for each in client.answered if each in numbers]
+    return Start(initialized, hovered, order == numbers)
+
+
+def resident(process: int) -> int:
+    """Bytes of a process that are in memory; 0 where that is not known (not Linux)."""
+    status = Path(f"/proc/{process}/status")
+    match = re.search(r"VmRSS:\s+(\d+) kB", status.read_text()) if status.exists() else None
+    return int(match[1]) * 1024 if match else 0
