@@ -13,7 +13,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from benchmarks import rows
+from benchmarks import editor, rows
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -23,6 +23,7 @@ TABLES = {
     "Throughput of `check`": rows.throughput,
     "Expanding, beside LinuxCNC's interpreter": rows.expanding,
     "Typing, beside tree-sitter's incremental parse": rows.typing,
+    "In an editor, beside a stock server of pygls": rows.serving,
     "Memory": rows.memory,
     "Starting": rows.starting,
     "What no one writes": rows.odd,
@@ -43,6 +44,10 @@ machines give other times; the ratios stay. Nothing in the tests asserts a time:
   in the large program. And all faults are listed each time, so a program with a million of them is slow to type in.
 - *Memory* is by how much the resident set of a fresh process rises above where it stands with the text loaded
   (the kernel's high-water mark, reset before).
+- *In an editor* is measured over standard input and output, at random places and with a pause of {pause:g} ms between keystrokes, in
+  which the check of the whole program begins again. The times are those of the server's processor; in brackets stands how long the
+  client waited, which a busy machine makes longer. The stock server (`benchmarks/stock.py`) has pygls' own document store and
+  looks for unbalanced brackets in the whole text, no more.
 - `python -m benchmarks --quick` takes seconds and says little; `--only typing` measures one table.
 """
 _QUICK = rows.Sizes(
@@ -55,6 +60,7 @@ _QUICK = rows.Sizes(
     passes=2_000,
     flat=2_000,
     starts=3,
+    stock_places=2,
     repeats=1,
     judged=False,
 )
@@ -101,7 +107,9 @@ def _line(row: rows.Row) -> str:
 
 def _head(sizes: rows.Sizes) -> str:
     return (
-        _HEAD.format(cam=sizes.cam, macro=sizes.macro, repeats=sizes.repeats, places=sizes.places)
+        _HEAD.format(
+            cam=sizes.cam, macro=sizes.macro, repeats=sizes.repeats, places=sizes.places, pause=editor.PAUSE * 1_000
+        )
         + "\n"
         + "\n".join(_machine())
     )
@@ -111,7 +119,9 @@ def _machine() -> Iterable[str]:
     cpu = Path("/proc/cpuinfo")
     model = re.search(r"(?m)^model name\s*:\s*(.+)", cpu.read_text()) if cpu.exists() else None
     yield f"Machine: {model[1] if model else platform.processor()}, {os.cpu_count()} cores, {platform.system()} {platform.machine()}, Python {platform.python_version()}"
-    yield "Libraries: " + ", ".join(f"{name} {_version(name)}" for name in ("lark", "tree-sitter", "tree-sitter-gcode"))
+    yield "Libraries: " + ", ".join(
+        f"{name} {_version(name)}" for name in ("lark", "pygls", "tree-sitter", "tree-sitter-gcode")
+    )
 
 
 def _version(name: str) -> str:

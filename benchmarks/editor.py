@@ -13,8 +13,9 @@ from tempfile import TemporaryDirectory
 from time import clock_gettime, perf_counter, sleep
 from typing import Any, NamedTuple
 
-from benchmarks.ours import SEED, read
 from tests.support.client import PUSHED, Client, edit
+
+from benchmarks.ours import SEED, read
 
 OURS, STOCK = "deburr", "benchmarks.stock"
 """The modules of the servers."""

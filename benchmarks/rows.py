@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks import corpus, ours, running, theirs
+from benchmarks import corpus, editor, ours, running, theirs
 from benchmarks.measure import isolated, processes
 
 MB = 1_000_000
@@ -26,6 +26,7 @@ class Sizes:
     passes: int = 1_000_000
     flat: int = 100_000
     starts: int = 11
+    stock_places: int = 5
     repeats: int = 3
     judged: bool = True
     """Whether the sizes are those for which the budgets are meant."""
@@ -141,6 +142,50 @@ def typing(files: Files, sizes: Sizes) -> Iterator[Row]:
         )
 
 
+def serving(files: Files, sizes: Sizes) -> Iterator[Row]:
+    """What an editor waits for, beside a stock server of pygls on the same texts."""
+    yield from _started(sizes)
+    small = editor.times(editor.OURS, files.small, sizes.places)
+    programs = ((f"{sizes.cam:,} lines", files.cam), (f"macros, {sizes.macro:,} lines", files.macro))
+    for name, path in programs:
+        found, stock = (
+            editor.times(module, path, places)
+            for module, places in ((editor.OURS, sizes.places), (editor.STOCK, sizes.stock_places))
+        )
+        typed = (found.typed.spent, stock.typed.spent)
+        yield Row(
+            f"{name}: keystroke to published diagnostics",
+            _taken(found.typed),
+            _taken(stock.typed),
+            _ratio(typed[1], typed[0]),
+            "≤ 5 ms, ≥ 50 ×",
+            typed[0] <= 0.005 and typed[1] >= 50 * typed[0],
+        )
+        for method, taken in found.asked.items():
+            other = small.asked[method]
+            yield Row(
+                f"{name}: {method}, against {min(sizes.cam, 1_000):,} lines",
+                _taken(taken),
+                _taken(other),
+                f"{taken.spent / other.spent:.2f} ×",
+                "≤ 3 ms, ≤ 1.5 ×",
+                taken.spent <= 0.003 and taken.spent <= 1.5 * other.spent,
+            )
+        yield Row(f"{name}: memory of the server", _size(found.resident), _size(stock.resident))
+
+
+def _started(sizes: Sizes) -> Iterator[Row]:
+    found, stock = editor.starts(sizes.starts)
+    for what, ours_, other, most in (
+        ("start to the answer of `initialize`", found.initialized, stock.initialized, 0.2),
+        ("start to the first hover", found.hover, stock.hover, 1.1),
+    ):
+        ratio = ours_.spent / other.spent
+        yield Row(what, _taken(ours_), _taken(other), f"{ratio:.2f} ×", f"≤ {most:g} ×", ratio <= most)
+    said = "in order" if found.in_order else "out of order"
+    yield Row("requests sent before `initialize` was answered", said, "", "", "in order", found.in_order)
+
+
 def memory(files: Files, _sizes: Sizes) -> Iterator[Row]:
     """Resident memory beyond the text, as multiples of it."""
     text = Path(files.cam).stat().st_size
@@ -205,6 +250,10 @@ def starting(files: Files, sizes: Sizes) -> Iterator[Row]:
         "≤ 2 ×",
         check <= 2 * lark,
     )
+
+
+def _taken(taken: editor.Taken) -> str:
+    return f"{_time(taken.spent)} ({_time(taken.waited)})"
 
 
 def _time(taken: float) -> str:

@@ -11,7 +11,7 @@ from deburr.ide.hover import described, rows
 from deburr.ide.related import related
 from deburr.symbols import Act, Language, Offer, Sort, Symbol, entry_of, language_of
 from deburr.symbols.constants import constants_of
-from deburr.symbols.index import all_symbols, at, mentions_of, on_line, region, regions_of
+from deburr.symbols.index import all_symbols, at, mentions_of, on_line, region
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
@@ -157,7 +157,7 @@ def _symbols(view: View, pos: Pos, language: Language, sort: Sort, span: Span) -
                 continue
             if symbol.sort is not sort or not symbol.name or (symbol.local and each is not view):
                 continue
-            if symbol.local and own not in regions_of(each.document, symbol):
+            if symbol.local and next(mentions_of(each.document, symbol, own), None) is None:
                 continue
             if sort in (Sort.LABEL, Sort.SECTION) and each is not view:
                 continue

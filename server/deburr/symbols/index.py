@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable, Hashable, Iterator, Sequence
+from heapq import merge
+from operator import attrgetter, itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.symbols import SOUGHT, Act, Language, Mention, Sort, Symbol, language_of
@@ -14,6 +17,10 @@ if TYPE_CHECKING:
 
 Region = tuple[str, str | None] | None
 """The region that a line is in: its kind and its label; None: in none."""
+
+
+_INHERITED: Region = ("", "")
+"""The region that is open before a piece, whichever that is."""
 
 
 class Placed(NamedTuple):
@@ -70,26 +77,17 @@ def region(document: Document, line: int) -> Region:
 
 
 def mentions_of(document: Document, symbol: Symbol, where: Region = None, act: Act | None = None) -> Iterator[Placed]:
-    """All places that name a symbol, or do one thing with it, in order; of a local one those in its region."""
+    """All places that name a symbol, or do one thing with it, in order; of a local one those in its region, found without a look into others."""
     index = _Index.of(document)
-    for piece in index.pieces(symbol, act) if index is not None and symbol.sort in SOUGHT else ():
-        for at, mention in index.placed(piece)[symbol] if index is not None else ():
+    if index is None or symbol.sort not in SOUGHT:
+        return
+    for piece in index.within(symbol, where) if symbol.local else index.pieces(symbol, act):
+        regions = index.regions(piece) if symbol.local else ()
+        for at, mention in index.placed(piece)[symbol]:
             if act is not None and mention.act is not act:
                 continue
-            line = piece.line + at
-            within = region(document, line) if symbol.local else None
-            if within == where:
-                yield Placed(line, mention, within)
-
-
-def regions_of(document: Document, symbol: Symbol) -> set[Region]:
-    """The regions in which a symbol is named."""
-    index = _Index.of(document)
-    found: set[Region] = set()
-    for piece in index.pieces(symbol) if index is not None else ():
-        for at, _ in index.placed(piece)[symbol] if index is not None else ():
-            found.add(region(document, piece.line + at))
-    return found
+            if not symbol.local or _in_force(regions, at, document, piece) == where:
+                yield Placed(piece.line + at, mention, where if symbol.local else None)
 
 
 def all_symbols(document: Document, *sorts: Sort) -> frozenset[Symbol]:
@@ -118,6 +116,7 @@ class _Index:
         self._language = language
         self._names = language.names(document)
         self.key = ("symbols", self._names)
+        self._local = ("locals", self._names)
 
     @classmethod
     def of(cls, document: Document) -> _Index | None:
@@ -140,6 +139,56 @@ class _Index:
 
         return of
 
+    def within(self, symbol: Symbol, where: Region) -> Iterator[Piece]:
+        """The pieces that may name a local symbol in a region, in order."""
+        document = self._document
+        found = document.holding(self._local, self._locals, (symbol, where))
+        if where is None:
+            # Most of a program may be in no region, so what names the symbol is looked through, not the region.
+            more = document.holding(self._local, self._locals, (symbol, _INHERITED))
+        else:
+            left = document.holding(self._local, self._locals, (None, where))
+            more = (piece for each in left for piece in self._behind(each, symbol))
+        last = -1
+        for piece in merge(found, more, key=attrgetter("line")):
+            if piece.line != last:
+                yield piece
+            last = piece.line
+
+    def regions(self, piece: Piece) -> tuple[tuple[int, Region], ...]:
+        """From which of its lines on a piece is in which region, as far as its own brackets say."""
+        key = ("regions", self._document.key(piece))
+        found: tuple[tuple[int, Region], ...] | None = piece.chunk.memo.get(key)
+        if found is None:
+            changes = [
+                (index + (bracket.role is Role.END_REGION), _behind(None, bracket))
+                for index, bracket in piece.outlined.brackets
+                if bracket.role in (Role.REGION, Role.END_REGION)
+            ]
+            found = piece.chunk.memo[key] = tuple(changes)
+        return found
+
+    def _behind(self, left: Piece, symbol: Symbol) -> Iterator[Piece]:
+        """The pieces behind one that name a symbol in the region in which that one ends."""
+        # The last piece may have no line end, and so none behind it.
+        while left.chunk.eols and (line := left.line + left.chunk.eols) < self._document.line_count:
+            left = self._document.piece(line)
+            if left.line != line:
+                return
+            if symbol in self.placed(left):
+                yield left
+            if self.regions(left):
+                return
+
+    def _locals(self, piece: Piece) -> frozenset[tuple[Symbol | None, Region]]:
+        """The local symbols of a piece with their regions, and the region in which it ends if one of its lines opened that."""
+        regions = self.regions(piece)
+        found: set[tuple[Symbol | None, Region]] = {(None, regions[-1][1])} if regions else set()
+        for symbol, placed in self.placed(piece).items():
+            if symbol.local:
+                found |= {(symbol, _said(regions, at)) for at, _ in placed}
+        return frozenset(found)
+
     def symbols(self, piece: Piece) -> frozenset[Symbol]:
         """What a piece names."""
         return frozenset(self.placed(piece))
@@ -160,6 +209,18 @@ class _Index:
         for index, _, _ in piece.where(lambda reading, shape: not shape.facts(reading).kinds.isdisjoint(naming)):
             for mention in _of_line(piece.node(index), self._language, self._names):
                 yield index, mention
+
+
+def _said(regions: Sequence[tuple[int, Region]], index: int) -> Region:
+    """The region of a line as far as its piece says."""
+    number = bisect_right(regions, index, key=itemgetter(0))
+    return regions[number - 1][1] if number else _INHERITED
+
+
+def _in_force(regions: Sequence[tuple[int, Region]], index: int, document: Document, piece: Piece) -> Region:
+    """The region of a line of a piece."""
+    found = _said(regions, index)
+    return document.state(_REGIONS, piece.line) if found == _INHERITED else found
 
 
 def _of_sorts(symbols: frozenset[Symbol], sorts: frozenset[Sort]) -> frozenset[Symbol]:
