@@ -27,7 +27,7 @@ from deburr.stateful import Stateful, stateful_of
 from deburr_grammar.dialect import Dialect, Reading
 from deburr_grammar.line import LineNode, Shape
 
-_PLANS = 100_000
+_PLANS = 20_000
 
 
 class Searched(NamedTuple):

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from deburr_grammar.document import Document, Piece
     from deburr_grammar.line import Shape
 
+_SHAPES = 4_096
+"""Shapes kept for one of them: someone who types makes new ones with every key."""
 _STATES = 10_000
 
 
@@ -46,6 +48,8 @@ class _Steps(dict["Shape", "_Step | None"]):
         self._make = make
 
     def __missing__(self, shape: Shape) -> _Step | None:
+        if len(self) >= _SHAPES:
+            self.clear()
         step = self[shape] = self._make(self, shape)
         return step
 

@@ -19,6 +19,8 @@ Region = tuple[str, str | None] | None
 """The region that a line is in: its kind and its label; None: in none."""
 
 
+_Local = tuple[Symbol | None, Region]
+"""A local symbol and its region; without a symbol, the region in which a piece ends."""
 _INHERITED: Region = ("", "")
 """The region that is open before a piece, whichever that is."""
 
@@ -141,14 +143,12 @@ class _Index:
 
     def within(self, symbol: Symbol, where: Region) -> Iterator[Piece]:
         """The pieces that may name a local symbol in a region, in order."""
-        document = self._document
-        found = document.holding(self._local, self._locals, (symbol, where))
+        found = self._holding((symbol, where))
         if where is None:
             # Most of a program may be in no region, so what names the symbol is looked through, not the region.
-            more = document.holding(self._local, self._locals, (symbol, _INHERITED))
+            more = self._holding((symbol, _INHERITED))
         else:
-            left = document.holding(self._local, self._locals, (None, where))
-            more = (piece for each in left for piece in self._behind(each, symbol))
+            more = (piece for left in self._holding((None, where)) for piece in self._behind(left, symbol))
         last = -1
         for piece in merge(found, more, key=attrgetter("line")):
             if piece.line != last:
@@ -180,10 +180,13 @@ class _Index:
             if self.regions(left):
                 return
 
-    def _locals(self, piece: Piece) -> frozenset[tuple[Symbol | None, Region]]:
+    def _holding(self, item: _Local) -> Iterator[Piece]:
+        return self._document.holding(self._local, self._locals, item)
+
+    def _locals(self, piece: Piece) -> frozenset[_Local]:
         """The local symbols of a piece with their regions, and the region in which it ends if one of its lines opened that."""
         regions = self.regions(piece)
-        found: set[tuple[Symbol | None, Region]] = {(None, regions[-1][1])} if regions else set()
+        found: set[_Local] = {(None, regions[-1][1])} if regions else set()
         for symbol, placed in self.placed(piece).items():
             if symbol.local:
                 found |= {(symbol, _said(regions, at)) for at, _ in placed}
