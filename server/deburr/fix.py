@@ -1,6 +1,6 @@
 """What would mend a fault: edits that the fault's own rule makes of the program as it stands. Never made while a program is checked, never applied here.
 
-A rule's file may hold `fix`, a function of a `Broken` or one of those below: then the rule has a fix, at least for some of its findings.
+A rule's file may hold `fix`, a function of a `Broken` or one of those in `deburr.fixers`: then the rule has a fix, at least for some of its findings.
 A fix is safe only where it is certain what the program means: the control reads what it read before, or could only read that.
 """
 
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
@@ -21,11 +21,6 @@ if TYPE_CHECKING:
     from deburr_grammar.line import LineNode
 
 _QUOTED = re.compile(r"`([^`]+)`")
-_MEANT = re.compile(r"did you mean [`']([^`']+)[`']\?")
-_ADVISED = re.compile(r"(?:did you mean|write|written|type) `([^`]+)`(?! (?:for|to|or|and|beside|before|on|as)\b)")
-_BEFORE = re.compile(r"write `([^`]+)` before it")
-_AROUND = re.compile(r"(\|[ \t]*|#<|o<|#|@|')(.*?)([ \t]*\||>|'|)")
-"""Signs around a name, which a proposal may leave out."""
 
 
 class Broken(NamedTuple):
@@ -109,7 +104,6 @@ _MANY = 200
 """Edits of which each would cost more than to put all between them anew."""
 _PROVEN = 500
 """Findings of a program whose fixes are tried: each costs as much as the check of a few lines, several times."""
-Fixer = Callable[[Broken], Iterator[Fix]]
 
 
 def fixes_of(analysis: Analysis, finding: Finding) -> list[Fix]:
@@ -192,107 +186,3 @@ def _said(analysis: Analysis, lines: Iterable[int]) -> Counter[tuple[str, str]]:
 
 def _by_rule(said: Counter[tuple[str, str]]) -> Counter[str]:
     return Counter(rule for rule, _ in said.elements())
-
-
-def did_you_mean(broken: Broken) -> Iterator[Fix]:
-    """The name that the message asks for: did you mean `X`?"""
-    yield from _proposed(broken, _MEANT)
-
-
-def advised(broken: Broken) -> Iterator[Fix]:
-    """What the message says to write, in place of what it quotes first."""
-    yield from _proposed(broken, _ADVISED)
-
-
-def _proposed(broken: Broken, pattern: re.Pattern[str]) -> Iterator[Fix]:
-    proposal = pattern.search(broken.finding.message)
-    if proposal is None or not broken.quoted:
-        return
-    old, new = broken.quoted[0], proposal[1]
-    around = _AROUND.fullmatch(old)
-    if around is not None and not new.startswith(around[1].rstrip()):
-        new = f"{around[1]}{new}{around[3]}" if old.lower() in broken.said.lower() else new
-        old = old if old.lower() in broken.said.lower() else around[2]
-    at = broken.text.lower().find(old.lower(), broken.span.start) - broken.span.start
-    if at >= 0 and new != old:
-        start = broken.span.start + at
-        yield Fix(f"Change to `{new}`", (broken.edit(start, start + len(old), new),))
-
-
-def corrected(broken: Broken) -> Iterator[Fix]:
-    """What the message quotes second, in place of the fault: `a` is read as `A`."""
-    if len(broken.quoted) > 1 and broken.quoted[0] == broken.said:
-        yield broken.replaced(broken.quoted[1])
-
-
-def deleted(broken: Broken) -> Iterator[Fix]:
-    """The fault is left out."""
-    yield broken.deleted(*broken.span)
-
-
-def line_deleted(broken: Broken) -> Iterator[Fix]:
-    """The line is left out, if the fault is all that is on it."""
-    if broken.said.strip() == broken.text.strip():
-        yield Fix("Delete the line", (broken.without_line(),))
-
-
-def split(broken: Broken) -> Iterator[Fix]:
-    """The line ends before the fault, and another begins with it."""
-    before = broken.text[: broken.span.start]
-    if before.strip():
-        edit = broken.edit(len(before.rstrip()), broken.span.start, f"\n{broken.indent}")
-        yield Fix("Split the line here", (edit,))
-
-
-def moved_above(broken: Broken) -> Iterator[Fix]:
-    """The fault stands on a line of its own, above."""
-    out = broken.deleted(*broken.span)
-    if out.edits[0].start.line == out.edits[0].end.line:
-        above = Edit(Pos(broken.line, 0), Pos(broken.line, 0), f"{broken.indent}{broken.said}\n")
-        yield Fix(f"Write `{broken.said}` on a line of its own", (above, *out.edits))
-
-
-def line_before(broken: Broken) -> Iterator[Fix]:
-    """A line before the fault's: write `X` before it."""
-    wanted = _BEFORE.search(broken.finding.message)
-    if wanted is not None:
-        yield Fix(f"Write `{wanted[1]}` before it", (broken.edit(0, 0, f"{broken.indent}{wanted[1]}\n"),))
-
-
-def closed(sign: str) -> Fixer:
-    """A closing sign where the fault ends."""
-
-    def fixer(broken: Broken) -> Iterator[Fix]:
-        end = broken.span.start + len(broken.said.rstrip())
-        yield broken.inserted(end, sign)
-
-    return fixer
-
-
-def safe(fixer: Fixer) -> Fixer:
-    """The same, where it is certain what the program means."""
-
-    def sure(broken: Broken) -> Iterator[Fix]:
-        return (fix._replace(safe=True) for fix in fixer(broken))
-
-    return sure
-
-
-def either(*fixers: Fixer) -> Fixer:
-    """What the first of several makes that makes anything."""
-
-    def fixer(broken: Broken) -> Iterator[Fix]:
-        yield from next((found for each in fixers if (found := list(each(broken)))), ())
-
-    return fixer
-
-
-_VALUE = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+|#[0-9]+|#<[^<>]+>|[A-Z]+(?![A-Z(])))", re.I)
-
-
-def bracketed(broken: Broken, signs: str) -> Iterator[Fix]:
-    """The value behind the fault in brackets."""
-    value = _VALUE.match(broken.text, broken.span.end)
-    if value is not None:
-        text = f"{signs[0]}{value[1]}{signs[1]}"
-        yield Fix(f"Write `{broken.said}{text}`", (broken.edit(*value.span(), text),))

@@ -18,7 +18,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.fix import deleted
+from deburr.fixers import deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.brackets import read_brackets, tests_of

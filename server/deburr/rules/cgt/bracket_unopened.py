@@ -17,7 +17,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import deleted
+from deburr.fixers import deleted
 from deburr.rule import Report, Severity, Structure, rule
 from deburr_grammar.structure import Fault, StructureFault
 

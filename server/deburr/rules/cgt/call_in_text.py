@@ -39,7 +39,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
-from deburr.fix import Broken, split
+from deburr.fix import Broken
+from deburr.fixers import split
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.items import DEEPEST, Body, Item

@@ -65,7 +65,8 @@ import re
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, closed, did_you_mean
+from deburr.fix import Broken
+from deburr.fixers import closed, did_you_mean
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.templates.symbols import commands, missing_sign
 from deburr_grammar.problem import Problem

@@ -45,6 +45,7 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.finding import Fix
 from deburr.fix import Broken
+from deburr.fixers import blanks_left_out
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.items import Body, Item
@@ -76,9 +77,8 @@ def _of(item: Item, before: Item | Body | None, behind: list[Item | Body]) -> It
 
 def fix(broken: Broken) -> Iterator[Fix]:
     """Leave out the blanks that keep it apart from its bracket."""
-    before, after = broken.text[: broken.span.start], broken.text[broken.span.end :]
-    if "must follow it directly" in broken.finding.message and after.lstrip().startswith("<"):
-        end = broken.span.end
-        yield Fix("Delete the blanks", (broken.edit(end, end + len(after) - len(after.lstrip()), ""),))
+    before = broken.text[: broken.span.start]
+    if "must follow it directly" in broken.finding.message:
+        yield from blanks_left_out(broken, "<")
     elif before.rstrip().endswith(">") and before != before.rstrip():
         yield Fix("Delete the blanks", (broken.edit(len(before.rstrip()), len(before), ""),))

@@ -30,11 +30,11 @@ Good:
     #EVAL(#V1=jos(TOOL LENGTH))
 """
 
-import re
 from collections.abc import Iterator
 
 from deburr.finding import Fix
 from deburr.fix import Broken
+from deburr.fixers import blanks_left_out
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr_grammar.problem import Problem
 
@@ -49,7 +49,4 @@ def check(line: Line, problem: Problem) -> Iterator[Report]:
 
 def fix(broken: Broken) -> Iterator[Fix]:
     """Leave out the blanks before the bracket."""
-    blanks = re.match(r"[ \t]+(?=\()", broken.text[broken.span.end :])
-    if blanks is not None:
-        end = broken.span.end
-        yield Fix("Delete the blanks", (broken.edit(end, end + blanks.end(), ""),))
+    yield from blanks_left_out(broken, "(")

@@ -28,7 +28,7 @@ Good:
 import re
 from collections.abc import Iterator
 
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.formats.machine import FORMAT
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span

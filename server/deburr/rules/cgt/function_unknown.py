@@ -20,7 +20,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.templates.symbols import functions, nearest
 from deburr_grammar.text import Span

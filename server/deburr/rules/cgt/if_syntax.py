@@ -48,7 +48,8 @@ import re
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, advised
+from deburr.fix import Broken
+from deburr.fixers import advised, blanks_left_out
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.templates.symbols import missing_sign
 from deburr_grammar.problem import Problem
@@ -96,9 +97,7 @@ def _name(text: str, problem: Problem) -> Span | None:
 
 def fix(broken: Broken) -> Iterator[Fix]:
     """Leave out the blanks before the body, or write what the message says."""
-    blanks = re.match(r"[ \t]+(?=<)", broken.text[broken.span.end :])
-    if blanks is not None and "`<` directly behind" in broken.finding.message:
-        end = broken.span.end
-        yield Fix("Delete the blanks", (broken.edit(end, end + blanks.end(), ""),))
+    if "`<` directly behind" in broken.finding.message:
+        yield from blanks_left_out(broken, "<")
     else:
         yield from advised(broken)

@@ -36,7 +36,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import missing, similar_section
 from deburr.rules.cgt._template import template_of

@@ -45,7 +45,8 @@ import re
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, split
+from deburr.fix import Broken
+from deburr.fixers import split
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 

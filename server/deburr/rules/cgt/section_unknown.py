@@ -43,7 +43,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
-from deburr.fix import Broken, did_you_mean
+from deburr.fix import Broken
+from deburr.fixers import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import computed, misspelt, misspelt_declare, similar_section
 from deburr.rules.cgt._template import template_of

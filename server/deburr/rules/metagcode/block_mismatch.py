@@ -40,7 +40,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.fix import advised
+from deburr.fixers import advised
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import Foreign, end_of, gathered, said
 from deburr_grammar.structure import Fault

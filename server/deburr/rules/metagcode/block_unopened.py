@@ -45,7 +45,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
-from deburr.fix import Broken, line_deleted
+from deburr.fix import Broken
+from deburr.fixers import line_deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import Foreign, gathered, said
 from deburr_grammar.structure import Fault

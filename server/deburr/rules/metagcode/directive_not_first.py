@@ -23,7 +23,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import split
+from deburr.fixers import split
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr_grammar.tree import Node
 

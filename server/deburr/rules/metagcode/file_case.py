@@ -28,7 +28,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.fix import corrected, safe
+from deburr.fixers import corrected, safe
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import gathered
 

@@ -36,7 +36,7 @@ Good (snippets-dir=parts):
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.fix import advised
+from deburr.fixers import advised
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import gathered
 from deburr.rules.metagcode._library import Library

@@ -33,7 +33,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import advised
+from deburr.fixers import advised
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._words import MEANT, OPERATORS, OR_EQUAL
 from deburr.suggest import suggestion

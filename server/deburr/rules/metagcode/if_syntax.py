@@ -54,7 +54,8 @@ import re
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, advised
+from deburr.fix import Broken
+from deburr.fixers import advised
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._items import misfit, surplus
 from deburr_grammar.tree import Node

@@ -32,7 +32,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import advised, safe
+from deburr.fixers import advised, safe
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.dialects.metagcode.forms import groups, number
 from deburr_grammar.text import Span

@@ -24,7 +24,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import advised
+from deburr.fixers import advised
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.dialects.metagcode.forms import groups
 from deburr_grammar.text import Span

@@ -36,7 +36,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 
 from deburr.analysis import Analysis
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered
 from deburr.rules.metagcode._variables import names_of

@@ -59,7 +59,8 @@ from collections.abc import Iterator
 
 from deburr.arithmetic.metagcode import number_meant
 from deburr.finding import Fix
-from deburr.fix import Broken, advised
+from deburr.fix import Broken
+from deburr.fixers import advised
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._items import changed_places
 from deburr.rules.metagcode._words import OPERATORS

@@ -56,7 +56,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._generated import undefined
 from deburr.rules.metagcode._variables import configured

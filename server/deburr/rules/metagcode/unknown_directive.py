@@ -46,7 +46,8 @@ import re
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, did_you_mean
+from deburr.fix import Broken
+from deburr.fixers import did_you_mean
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.metagcode._words import FOREIGN, keyword_meant
 from deburr_grammar.text import Span

@@ -24,7 +24,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import moved_above
+from deburr.fixers import moved_above
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._words import TAKES_AXES, report, said, words
 from deburr_grammar.tree import Node

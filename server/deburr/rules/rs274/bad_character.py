@@ -27,7 +27,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, advised, deleted, either
+from deburr.fix import Broken
+from deburr.fixers import advised, deleted, either
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr.rules.rs274._characters import foreign
 from deburr_grammar.problem import Problem

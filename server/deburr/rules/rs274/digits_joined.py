@@ -24,7 +24,7 @@ Good:
 import re
 from collections.abc import Iterator
 
-from deburr.fix import corrected
+from deburr.fixers import corrected
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, tokens

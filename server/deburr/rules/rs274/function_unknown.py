@@ -30,7 +30,7 @@ Good:
 import re
 from collections.abc import Iterator
 
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.suggest import suggestion
 from deburr_grammar.problem import Problem

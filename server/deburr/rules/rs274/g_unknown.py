@@ -28,7 +28,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._unknown import unknown
 from deburr.rules.rs274._words import node, said

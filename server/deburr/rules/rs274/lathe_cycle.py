@@ -27,7 +27,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import line_before
+from deburr.fixers import line_before
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
 from deburr.rules.rs274._words import governs, motion, report, said, words

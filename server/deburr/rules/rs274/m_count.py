@@ -17,7 +17,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import split
+from deburr.fixers import split
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._words import report, said, sharing, words
 from deburr_grammar.tree import Node

@@ -32,7 +32,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, moved_above
+from deburr.fix import Broken
+from deburr.fixers import moved_above
 from deburr.rule import Line, Report, Severity, Text, rule
 from deburr.rules.rs274._comments import ACTIVE, active, comments
 from deburr_grammar.text import Span

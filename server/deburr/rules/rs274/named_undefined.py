@@ -81,7 +81,7 @@ Good:
 from collections.abc import Iterator, Sequence
 
 from deburr.analysis import Analysis
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._calls import IDLE
 from deburr.rules.rs274._files import world_of

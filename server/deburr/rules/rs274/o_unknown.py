@@ -39,7 +39,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.dialects.rs274.commands import COMMANDS, meant
 from deburr_grammar.problem import Problem

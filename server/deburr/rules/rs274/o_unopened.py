@@ -28,7 +28,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from deburr.blocks import outward
-from deburr.fix import line_deleted
+from deburr.fixers import line_deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import label, misspelt, said
 from deburr_grammar.structure import Fault

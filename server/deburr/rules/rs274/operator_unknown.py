@@ -29,7 +29,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, advised
+from deburr.fix import Broken
+from deburr.fixers import advised
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.rules.rs274._characters import foreign
 from deburr.suggest import suggestion

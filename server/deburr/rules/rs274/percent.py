@@ -62,10 +62,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from deburr.finding import Fix
-from deburr.fix import Broken, line_deleted
+from deburr.fix import Broken
+from deburr.fixers import appended, line_deleted
 from deburr.rule import Report, Severity, Whole, rule, whole
 from deburr.rules.rs274._frame import ends, is_part, may_end, percents, starts_with_percent
-from deburr_grammar.text import Edit, Pos, Span
+from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
@@ -102,6 +103,4 @@ def fix(broken: Broken) -> Iterator[Fix]:
     elif "comes too late" in message:
         yield from line_deleted(broken)
     elif "no second one" in message:
-        at = Pos(broken.document.line_count, 0)
-        ending = "" if not broken.document.line(broken.document.line_count - 1) else "\n"
-        yield Fix("Add `%` at the end", (Edit(at, at, f"{ending}%\n"),))
+        yield appended(broken, "%")

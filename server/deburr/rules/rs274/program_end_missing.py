@@ -72,9 +72,9 @@ from typing import TYPE_CHECKING
 
 from deburr.finding import Fix
 from deburr.fix import Broken
+from deburr.fixers import appended
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._frame import ends, is_part, last_line, may_end, percents
-from deburr_grammar.text import Edit, Pos
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
@@ -98,6 +98,4 @@ def check(analysis: "Analysis") -> Iterator[Report]:
 def fix(broken: Broken) -> Iterator[Fix]:
     """End the program behind its last line."""
     if "the program ends without" in broken.finding.message:
-        at = Pos(broken.document.line_count, 0)
-        ending = "" if not broken.document.line(broken.document.line_count - 1) else "\n"
-        yield Fix("Add `M2` at the end", (Edit(at, at, f"{ending}M2\n"),))
+        yield appended(broken, "M2")

@@ -90,7 +90,7 @@ Good (whole):
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._calls import IDLE, why
 from deburr.rules.rs274._files import How, said, world_of

@@ -58,7 +58,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, moved_above
+from deburr.fix import Broken
+from deburr.fixers import moved_above
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
 from deburr.rules.rs274._words import ARCS, TAKES_AXES, Words, governs, in_force, motion, report, said, values, words

@@ -22,7 +22,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import deleted
+from deburr.fixers import deleted
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr.rules.rs274._words import report, said, words
 from deburr_grammar.tree import Node

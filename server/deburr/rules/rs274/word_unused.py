@@ -44,7 +44,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import deleted
+from deburr.fixers import deleted
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
 from deburr.rules.rs274._words import UNKNOWN, motion, node, report, said, users, value, words

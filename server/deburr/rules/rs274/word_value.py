@@ -70,7 +70,7 @@ Good:
 from collections.abc import Iterator
 from math import floor
 
-from deburr.fix import advised
+from deburr.fixers import advised
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
 from deburr.rules.rs274._words import ARCS, CYCLES, Words, governs, motion, report, said, starts, values, words

@@ -23,7 +23,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, deleted, split
+from deburr.fix import Broken
+from deburr.fixers import deleted, split
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr.rules.z32._fields import trailing_block
 from deburr_grammar.tree import Node

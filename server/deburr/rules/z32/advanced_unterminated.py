@@ -23,7 +23,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import closed
+from deburr.fixers import closed
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr.rules.z32._fields import terminated, trailing_block
 from deburr_grammar.tree import Node

@@ -25,7 +25,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import advised
+from deburr.fixers import advised
 from deburr.rule import Line, Nodes, Report, Severity, rule, whole
 from deburr.rules.z32._alias import axes, letters
 from deburr_grammar.tree import Node

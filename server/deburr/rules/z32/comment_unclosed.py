@@ -18,7 +18,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import closed
+from deburr.fixers import closed
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 

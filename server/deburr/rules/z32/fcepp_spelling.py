@@ -17,7 +17,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import corrected, safe
+from deburr.fixers import corrected, safe
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node

@@ -23,7 +23,7 @@ Good:
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Line, Nodes, Report, Severity, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node

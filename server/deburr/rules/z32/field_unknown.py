@@ -29,7 +29,7 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from deburr.fix import advised
+from deburr.fixers import advised
 from deburr.rule import Line, Report, Severity, Syntax, expected, rule, whole
 from deburr.rules.z32._words import INSTRUCTIONS, instruction_for
 from deburr_grammar.problem import Problem

@@ -23,7 +23,7 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.expand.z32.stores import found_files, nearest_file
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.z32._program import beside, lines
 from deburr_grammar.text import Span

@@ -20,7 +20,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.finding import Fix
-from deburr.fix import Broken, bracketed
+from deburr.fix import Broken
+from deburr.fixers import bracketed
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 

@@ -23,7 +23,7 @@ Good:
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from deburr.fix import did_you_mean
+from deburr.fixers import did_you_mean
 from deburr.rule import Line, Report, Severity, Syntax, rule, whole
 from deburr_grammar.problem import Problem
 

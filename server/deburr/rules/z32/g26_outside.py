@@ -22,7 +22,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.fix import line_deleted
+from deburr.fixers import line_deleted
 from deburr.rule import Report, Severity, Whole, rule, whole
 from deburr.rules.z32._program import is_main, lines, sections
 

@@ -21,7 +21,7 @@ Good:
 from collections.abc import Iterator
 from itertools import pairwise
 
-from deburr.fix import deleted
+from deburr.fixers import deleted
 from deburr.rule import Line, Report, Severity, Text, rule, whole
 from deburr_grammar.codes import code_number
 from deburr_grammar.tree import Node

@@ -19,7 +19,7 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fix import corrected, safe
+from deburr.fixers import corrected, safe
 from deburr.rule import Line, Report, Severity, Text, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import tokens

@@ -22,7 +22,7 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.fix import deleted
+from deburr.fixers import deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.z32._program import all_labels, entries, jumps
 
