@@ -10,8 +10,9 @@ from deburr.expand import Budget, Inputs, Job, Program, drive
 from deburr.expand.rs274.run import Run
 from deburr.expand.rs274.state import State
 from deburr.expand.rs274.unit import Op, Unit
-from deburr.values import proving
-from deburr.values.graph import Key
+from deburr.values import proving, values_of
+from deburr.values.graph import Calls, Env, Graph, Key
+from deburr.values.solve import Solution
 from deburr.values.words import said
 from deburr_grammar.dialect import Role
 from support.programs import generated
@@ -177,6 +178,48 @@ class _Watch:
             got = state.params[key] if isinstance(key, int) else names.get(str(key))
             if not (value.unset if got is None else value.has(got)):
                 self.wrong.append((row, key, value, got))
+
+
+SUBS = "".join(
+    f"o<{name}> sub\n#{at}=#1\no1 while [#{at} LT 9]\n#{at}=[#{at}+1]\nG0 X#{at}\no1 endwhile\no<{name}> endsub\n"
+    for at, name in enumerate("abcd", 101)
+)
+CALLS = "".join(f"o<{name}> call [3]\n" for name in "abcd")
+
+
+def _gone_through(text: str, monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """How many nodes each routine has that is gone through."""
+    made: list[int] = []
+
+    class Counted(Solution):
+        def __init__(self, graph: Graph, entry: Env, calls: Calls) -> None:
+            made.append(len(graph.nodes))
+            super().__init__(graph, entry, calls)
+
+    with monkeypatch.context() as patch:
+        patch.setattr("deburr.values.program.Solution", Counted)
+        assert values_of(analysed(text, "rs274")) is not None
+    return made
+
+
+def test_an_edit_costs_the_routine_that_it_touches(monkeypatch: pytest.MonkeyPatch) -> None:
+    head = "G21 G90 G17 F100 (an edit)\n"
+    main, sub = 4 + 1, 7
+    assert sorted(_gone_through(f"{head}{SUBS}{CALLS}M2\n", monkeypatch)) == [main, sub, sub, sub, sub]
+    assert _gone_through(f"{head}G0 X5\n{SUBS}{CALLS}M2\n", monkeypatch) == [main]
+    edited = SUBS.replace("G0 X#103", "G0 X[#103*2]")
+    assert sorted(_gone_through(f"{head}{edited}{CALLS}M2\n", monkeypatch)) == [main, sub]
+
+
+def test_lines_without_parameters_cost_nothing() -> None:
+    flat = "".join(f"G1 X{at} Y2.5\n" for at in range(5_000))
+    found = known(analysed(f"{FRAME}{flat}#3=5\n{flat}G0 X#3\nM2\n", "rs274"))
+    assert found is not None and found.taking == {5_001, 10_002, 10_003}
+
+
+def test_a_program_of_computed_moves_is_left_alone() -> None:
+    moves = "G1 X[#3*2.5] Y[#3+1]\n" * 21_000
+    assert known(analysed(f"{FRAME}#3=5\n{moves}G0 X[1/[#3-5]]\nM2\n", "rs274")) is None
 
 
 def test_a_wrong_range_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:

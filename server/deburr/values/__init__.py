@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from importlib import import_module
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
 
 if TYPE_CHECKING:
     from types import ModuleType
@@ -17,8 +18,12 @@ if TYPE_CHECKING:
     from deburr.analysis import Analysis
     from deburr.finding import Finding
     from deburr.values.program import Program
+    from deburr_grammar.document import Document
 
 _MEMO = "values"
+_SMALL = 2_000
+"""Lines of a program that is gone through while somebody waits for it; of a longer one is told what a check has found."""
+_of_documents: WeakKeyDictionary[Document, Program | None] = WeakKeyDictionary()
 
 
 def language(dialect: str) -> ModuleType | Any:
@@ -52,7 +57,21 @@ def solving(analysis: Analysis) -> Iterator[None]:
     program = _program(analysis)
     if program is not None:
         yield from program.solving()
-    analysis.memo[_MEMO] = program
+    analysis.memo[_MEMO] = _of_documents[analysis.document] = program
+
+
+def said_at(analysis: Analysis, line: int, written: str, behind: bool) -> str:
+    """What a variable holds before a line, or ``behind`` it, in words; empty if nothing is proven of it. ``written``: as one writes the variable."""
+    document, module = analysis.document, language(analysis.dialect.name)
+    if module is None or (document not in _of_documents and document.line_count > _SMALL):
+        return ""
+    program = _of_documents[document] if document in _of_documents else values_of(analysis)
+    if program is None:
+        return ""
+    from deburr.values.words import said
+
+    value = program.value(line, module.read(written), behind)
+    return "" if value is None or value.empty else said(value)
 
 
 def _program(analysis: Analysis) -> Program | None:

@@ -5,10 +5,13 @@ Knows no language: a dialect gives the routines, their flow, and what each start
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections import Counter, OrderedDict
 from collections.abc import Generator, Hashable, Iterator, Mapping, Sequence
+from functools import reduce
 from typing import NamedTuple
 
+from deburr.values.domain import Value, joined
 from deburr.values.graph import Env, Graph, Key, Summary, join, unset, widen
 from deburr.values.solve import Solution
 
@@ -116,6 +119,18 @@ class Program:
             self._entries[name] = env
             self._queue(name)
 
+    def value(self, row: int, key: Key, behind: bool) -> Value | None:
+        """What a variable holds before a line of the program, or behind it; None: nobody knows, or nothing comes there."""
+        for name, solved in self.solved.items():
+            routine, solution = self.routines[name], solved.solution
+            nodes = [] if routine.files is not None else _at(routine, row)
+            if behind:
+                nodes = [to for node in nodes for to in solution.targets(node) if list(solution.sources(to)) == [node]]
+            envs = [solution.before[node] for node in nodes if node in solution.before]
+            if envs and all(key in env for env in envs):
+                return reduce(joined, (env[key] for env in envs))
+        return None
+
     def _leave(self, name: str, solution: Solution) -> None:
         old = self._summaries[name]
         env, stops = solution.returned, old.stops or solution.stops or self._stops(name)
@@ -160,6 +175,14 @@ class Program:
 
 _OUTDATED = Summary(None, True, frozenset(), None)
 """What nothing is ever known to be."""
+
+
+def _at(routine: Routine, row: int) -> list[int]:
+    """The nodes of a line."""
+    at = bisect_left(routine.rows, row)
+    if at == len(routine.rows) or routine.rows[at] != row:
+        return []
+    return [number for number, node in routine.graph.nodes.items() if node.line == at]
 
 
 class _Ledger:

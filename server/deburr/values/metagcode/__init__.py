@@ -30,3 +30,8 @@ def routines(analysis: Analysis) -> Mapping[str, Routine] | None:
 def written(key: object) -> str:
     """A variable as one writes it."""
     return f"|{key}|"
+
+
+def read(said: str) -> object:
+    """The variable that is written so."""
+    return said.strip("|").strip(" \t")

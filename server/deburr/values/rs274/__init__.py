@@ -29,3 +29,9 @@ def routines(analysis: Analysis) -> Mapping[str, Routine] | None:
 def written(key: object) -> str:
     """A parameter as one writes it."""
     return f"#<{key}>" if isinstance(key, str) else f"#{key}"
+
+
+def read(said: str) -> object:
+    """The parameter that is written so."""
+    name = said.removeprefix("#").strip("<>")
+    return int(name) if name.isdecimal() and "<" not in said else name

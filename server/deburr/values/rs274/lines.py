@@ -17,6 +17,8 @@ _PARTS = frozenset(("param", "setting", "o_line", "PERCENT"))
 _BY_NUMBER = re.compile(r"[Mm][ \t]*0*[ \t]*9[ \t]*[89](?![0-9])|[Gg][ \t]*0*[ \t]*7[ \t]*[0-2](?![0-9])")
 _ABORTS = re.compile(r"\([ \t]*abort[ \t]*,", re.I)
 _KEY = "rs274 values"
+_MOST = 20_000
+"""Lines that take part. Of a program with more nothing is said: it is a list of moves, made by a machine."""
 _LINES, _VALUES = "lines that take part", "parameters"
 
 
@@ -30,11 +32,11 @@ class Taken(NamedTuple):
 
 
 def taken(document: Document) -> list[Taken] | None:
-    """The lines that take part, in order; None where calls by number lead who knows where."""
+    """The lines that take part, in order; None where calls by number lead who knows where, or where there are too many."""
     found: list[Taken] = []
     for piece in document.holding(_KEY, _marks, _LINES):
         lines = _of_piece(document, piece)
-        if lines is None:
+        if lines is None or len(found) > _MOST:
             return None
         found += [line._replace(row=line.row + piece.line) for line in lines]
     return found
