@@ -1,5 +1,7 @@
 """Who calls what."""
 
+from collections.abc import Callable
+
 from lsprotocol import types
 
 from deburr.finding import Place
@@ -9,6 +11,8 @@ from deburr.lsp.convert import uri_to_file
 from deburr.lsp.server import Server, feature
 from deburr.symbols import Sort
 
+_Direction = Callable[[View, calls.Routine], list[calls.Calls]]
+_Other = tuple[types.CallHierarchyItem, list[types.Range]]
 _KINDS = {
     Sort.SUB: types.SymbolKind.Function,
     Sort.SECTION: types.SymbolKind.Namespace,
@@ -28,13 +32,8 @@ def on_incoming(
     server: Server, params: types.CallHierarchyIncomingCallsParams
 ) -> list[types.CallHierarchyIncomingCall]:
     """Who calls a routine."""
-    view = _view(server, params.item)
-    found = [] if view is None else calls.incoming(view, _routine(server, view, params.item))
-    return [
-        types.CallHierarchyIncomingCall(_item(server, view, each.routine), _ranges(server, each))
-        for each in found
-        if view is not None
-    ]
+    found = _found(server, params.item, calls.incoming)
+    return [types.CallHierarchyIncomingCall(item, ranges) for item, ranges in found]
 
 
 @feature(types.CALL_HIERARCHY_OUTGOING_CALLS)
@@ -42,17 +41,19 @@ def on_outgoing(
     server: Server, params: types.CallHierarchyOutgoingCallsParams
 ) -> list[types.CallHierarchyOutgoingCall]:
     """Whom a routine calls."""
-    view = _view(server, params.item)
-    found = [] if view is None else calls.outgoing(view, _routine(server, view, params.item))
+    found = _found(server, params.item, calls.outgoing)
+    return [types.CallHierarchyOutgoingCall(item, ranges) for item, ranges in found]
+
+
+def _found(server: Server, item: types.CallHierarchyItem, of: _Direction) -> list[_Other]:
+    """The routines at the other end of calls, with the places of these."""
+    view = _view(server, item)
+    if view is None:
+        return []
+    found = of(view, _routine(server, view, item))
     return [
-        types.CallHierarchyOutgoingCall(_item(server, view, each.routine), _ranges(server, each))
-        for each in found
-        if view is not None
+        (_item(server, view, each.routine), [server.location(spot).range for spot in each.places]) for each in found
     ]
-
-
-def _ranges(server: Server, found: calls.Calls) -> list[types.Range]:
-    return [server.location(spot).range for spot in found.places]
 
 
 def _item(server: Server, view: View, routine: calls.Routine) -> types.CallHierarchyItem:
