@@ -46,6 +46,8 @@ class Configs:
             self._complete.add((id(config), dialect.name))
             if missing := tuple(_absent(config, dialect)):
                 raise ConfigError(*missing)
+            if wrong := tuple(_unreadable(config, dialect)):
+                raise ConfigError(*wrong)
 
     def _found(self, folder: str) -> Config:
         for name in (FILE, PROJECT):
@@ -89,6 +91,18 @@ def _absent(config: Config, dialect: Dialect) -> Iterator[str]:
                         (dialect.name, setting.name), f"`{setting.name}` names `{path}`, which does not exist"
                     )
                     yield _message(origin, _text(origin), _prefix(origin), fault)
+
+
+def _unreadable(config: Config, dialect: Dialect) -> Iterator[str]:
+    """What is said of each file that is none of the sort that its setting names: the first fault in it."""
+    from deburr import formats
+
+    for setting in dialect.settings:
+        path, _ = config.get(dialect.name, setting)
+        if setting.kind is Kind.PATH and path and paths.is_file(path):
+            fault = next(formats.faults(setting.name, paths.data(path).decode("utf-8", "replace")), None)
+            if fault is not None:
+                yield f"{path}:{fault.line + 1}: {fault.message}"
 
 
 def _text(path: str) -> str:

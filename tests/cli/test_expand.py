@@ -282,3 +282,33 @@ def test_inputs_are_not_written_over(shell, option, written):
     ran = shell.run("expand", "p.mgc", option, "in", written, "./in")
     assert ran == (2, "", f"deburr: error: {written} ./in: that would write over in\n")
     assert (shell.folder / "in").read_text() == ""
+
+
+@pytest.mark.parametrize(
+    ("option", "text", "said"),
+    [
+        ("--parameters", "5161\t0.5\n\nG0 X1\n", "p.var:3: `G0 X1` is no stored parameter"),
+        ("--parameters", "5602 1\n", "p.var:1: `5602 1` is no stored parameter"),
+        ("--parameters", "31 one\n", "p.var:1: `31 one` is no stored parameter"),
+        ("--parameters", "\0\1\2", "p.var:1: "),
+        ("--tool-table", "; old\nT1 P1 D3\nG0 X1\n", "p.var:3: `G0 X1` is no tool"),
+        ("--tool-table", "T1 P1 length 5 ;a\n", "p.var:1: `T1 P1 length 5` is no tool"),
+        ("--tool-table", "P1 D3\n", "p.var:1: `P1 D3` is no tool"),
+    ],
+)
+def test_a_file_that_is_none_of_its_sort_is_refused_at_its_line(shell, option, text, said):
+    shell.write("p.ngc", "G0 X#31\nM2\n")
+    shell.write("p.var", text)
+    ran = shell.run("expand", "p.ngc", option, "p.var")
+    assert (ran.code, ran.out) == (2, "")
+    assert said in ran.err
+    shell.write("deburr.toml", f'[rs274]\n{option.removeprefix("--")} = "p.var"\n')
+    assert said in shell.run("check", "p.ngc").err
+
+
+def test_files_of_their_sort_are_read(shell):
+    shell.write("p.ngc", "G0 X#31 Y#5410\nT2 M6\nM2\n")
+    shell.write("p.var", "\n31\t7.5\r\n5161  -1e-3\n")
+    shell.write("t.tbl", "; a table\n\nT2 P2 Z+25.4 D.5 ;mill T9 X\nt3p3 d1\n")
+    ran = shell.run("expand", "p.ngc", "--parameters", "p.var", "--tool-table", "t.tbl")
+    assert (ran.code, ran.out) == (0, "G0 X7.5 Y0\nT2 M6\nM2\n")

@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.unit import Unit
+from deburr.formats.parameters import read
 from deburr_grammar.document import Document
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from deburr.expand.job import Job
     from deburr.expand.rs274.state import State
 
@@ -26,22 +25,11 @@ def loaded(job: Job, label: str) -> Unit | None:
 
 def first_values(state: State) -> None:
     """Stored parameters, then what was defined for this run: `5=1.25`, `_name=2`."""
-    for number, value in _stored(state.job):
+    path = state.job.settings["parameters"]
+    for number, value in read((state.job.host.read(path) or "") if path else "").values.items():
         state.params[number] = value
     for name, said in state.job.inputs.define.items():
         _define(state, name.strip().removeprefix("#"), said)
-
-
-def _stored(job: Job) -> Iterator[tuple[int, float]]:
-    """The numbers and values of a `.var` file: two numbers a line."""
-    path = job.settings["parameters"]
-    for line in (job.host.read(path) or "").split("\n") if path else ():
-        words = line.split()
-        if len(words) >= 2 and words[0].isascii() and words[0].isdigit() and 1 <= int(words[0]) <= 5601:
-            try:
-                yield int(words[0]), float(words[1])
-            except ValueError:
-                continue
 
 
 def _define(state: State, name: str, said: str) -> None:

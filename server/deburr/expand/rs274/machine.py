@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.axes import AXES
 from deburr.expand.rs274.chains import DECIMALS, Chains
-from deburr.expand.rs274.modes import GETTERS, STRAIGHT, Modes
+from deburr.expand.rs274.modes import GETTERS, STRAIGHT, UNKNOWN, Modes
 from deburr.expand.rs274.position import Position
 from deburr.expand.rs274.tools import Tool, read_tools
 from deburr_grammar.dialects.rs274.modality import code_of
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from deburr.expand.job import Job
     from deburr.expand.rs274.source import Spot
     from deburr.expand.rs274.state import State
+    from deburr.fault import Halt
 
 Known = Callable[["Spot"], float]
 """What reads a predefined value: it is given the place, to be named if only the machine knows."""
@@ -77,6 +78,9 @@ class Machine:
     def number(self, at: int, spot: Spot) -> float:
         """The value of a special parameter."""
         if at in _POSITION:
+            if self.modes.g["compensation"] not in (400, UNKNOWN):
+                message = f"the control does not tell `#{at}` while cutter compensation is on; it stops here"
+                raise self._fault("in-compensation", spot, message)
             return self._known(self._position.axis(at - _POSITION[0]), f"#{at}", "the position", spot)
         if at in _TOOL:
             value = self._tool.value(at - _TOOL[0]) if self._tool is not None else None
@@ -97,7 +101,7 @@ class Machine:
             return lambda spot: self._known(getter(modes), f"#<{name}>", "a code of the machine's own", spot)
         axis = AXES.find(name[1:].upper()) if len(name) == 2 and name[0] == "_" else -1
         if axis >= 0:
-            return lambda spot: self.number(_POSITION[axis], spot)
+            return lambda spot: self._known(self._position.axis(axis), f"#<{name}>", "the position", spot)
         own = self._own(name)
         if own is not None:
             return own
@@ -229,9 +233,12 @@ class Machine:
     def _known(self, value: float | None, said: str, what: str, spot: Spot) -> float:
         if value is None or math.isnan(value):
             message = f"`{said}` hangs on {what}, which only the machine knows here"
-            source, part = spot
-            raise self.state.fault("runtime-value", source.file, source.row, source.span(part), message)
+            raise self._fault("runtime-value", spot, message)
         return value
+
+    def _fault(self, kind: str, spot: Spot, message: str) -> Halt:
+        source, part = spot
+        return self.state.fault(kind, source.file, source.row, source.span(part), message)
 
     def _outside(self, name: str, spot: Spot) -> float:
         if self._simulate and name in _SIMULATED:

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-import re
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
+
+from deburr.formats.tools import read
 
 if TYPE_CHECKING:
     from deburr.expand.job import Job
 
-_WORD = re.compile(r"([A-Z])\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))", re.I)
 _OFFSETS = "XYZABCUVW"
 
 
 class Tool:
     """A tool as the table has it, in the machine's own unit."""
 
-    def __init__(self, number: int, words: dict[str, float] | None = None) -> None:
+    def __init__(self, number: int, words: Mapping[str, float] | None = None) -> None:
         self.number = number
         self._words = words or {}
 
@@ -32,9 +33,5 @@ class Tool:
 def read_tools(job: Job) -> dict[int, Tool]:
     """The tools of the configured table by number; 0 is no tool."""
     path = job.settings["tool-table"]
-    found = {0: Tool(0)}
-    for line in (job.host.read(path) or "").split("\n") if path else ():
-        words = {letter.upper(): float(value) for letter, value in _WORD.findall(line.partition(";")[0])}
-        if "T" in words:
-            found[round(words["T"])] = Tool(round(words["T"]), words)
-    return found
+    words = read((job.host.read(path) or "") if path else "").words
+    return {0: Tool(0), **{number: Tool(number, said) for number, said in words.items()}}
