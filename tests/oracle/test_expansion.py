@@ -15,7 +15,7 @@ from support.agreement import FACTS
 from support.expressions import ARITHMETIC, COMPARED, FUNCTIONS, LOGICAL
 from support.flat import Case, difference, verdict
 from support.oracle import SAMPLES
-from support.programs import FLOW, PREDEFINED, Generated, generated
+from support.programs import FLOW, MOTION, PREDEFINED, Generated, generated
 from support.samples import drivers, sample
 
 PROGRAMS, CHUNKS = 2_000, 8
@@ -157,10 +157,12 @@ def test_random_programs(chunk: int) -> None:
 
 
 def test_random_programs_use_all_of_the_language() -> None:
-    used = Counter[str]()
+    used, count = Counter[str](), 0
     for chunk in range(CHUNKS):
         for program in programs(chunk):
             used.update(program.used)
-    wanted = (*ARITHMETIC, *COMPARED, *LOGICAL, *FUNCTIONS, *FLOW, *PREDEFINED)
+            count += 1
+    assert count == PROGRAMS == 2_000
+    wanted = (*ARITHMETIC, *COMPARED, *LOGICAL, *FUNCTIONS, *FLOW, *PREDEFINED, *MOTION)
     rare = {name: used[name] for name in wanted if used[name] < USED_AT_LEAST}
     assert rare == {}

@@ -4,6 +4,7 @@ What the generator avoids, since the interpreter's answer there is a known fault
 expansion does not imitate (spec/rs274.md §6, spec/oracle.md §4): `AVOIDED`.
 """
 
+import re
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -27,6 +28,11 @@ FLOW = (
     "sub", "endsub", "call", "return", "if", "elseif", "else", "endif", "while", "endwhile", "do", "repeat",
     "endrepeat", "break", "continue", "M98", "M99",
 )  # fmt: skip
+MOTION = (
+    "G0", "G1", "G2", "G3", "G38.2", "G38.3", "G73", "G81", "G82", "G83", "G85", "G10 L2", "G10 L20", "G52", "G92", "G91",
+    "M70", "M72", "file",
+)  # fmt: skip
+"""Motion, offsets and saved modes, and subprograms in files of their own."""
 _OUTSIDE = ("_hal", "_ini", "_abs_", "_current_pocket", "_selected_pocket", "_remap_level", "_line")
 """Values that not even a simulated machine has, and the line, which is another one in a flat program."""
 _LONGEST = 200
@@ -138,6 +144,7 @@ class _Writer:
         lines = [f"o{label} sub", *body, end]
         self._plan.subs.append((label, count, given))
         if "<" in label and rng.random() < 0.4:
+            self._use("file")
             self._files[f"sub{number}.ngc"] = "\n".join(lines) + "\n"
             return []
         return lines
@@ -193,40 +200,48 @@ class _Writer:
         rng = self._rng
         axes = rng.sample("XYZABC", rng.randint(1, 3))
         words = [axis + (rng.choice(("1", "-2.5", "0")) if rng.random() < 0.3 else self._word(scope)) for axis in axes]
-        return [f"G0 {' '.join(words)}" if rng.random() < 0.5 else f"G94 G1 {' '.join(words)} F{rng.randint(1, 900)}"]
+        found = f"G0 {' '.join(words)}" if rng.random() < 0.5 else f"G94 G1 {' '.join(words)} F{rng.randint(1, 900)}"
+        return self._moving(found)
 
     def _word(self, scope: Scope) -> str:
         return self._rng.choice(("", "-")) + self._values.small(scope)
 
     def _mode(self, scope: Scope) -> list[str]:
         code = self._rng.choice(_MODES)
-        return [code, "G94 F80"] if code.startswith(("G96", "G7")) else [code]
+        return self._moving(*([code, "G94 F80"] if code.startswith(("G96", "G7")) else [code]))
 
     def _offset(self, scope: Scope) -> list[str]:
         rng = self._rng
         axes = " ".join(axis + self._word(scope) for axis in rng.sample("XYZA", 2))
-        return [
-            rng.choice(("G92", f"G10 L2 P{rng.randint(0, 9)}", f"G10 L20 P{rng.randint(0, 9)}", "G52")) + f" {axes}"
-        ]
+        code = rng.choice(("G92", f"G10 L2 P{rng.randint(0, 9)}", f"G10 L20 P{rng.randint(0, 9)}", "G52"))
+        return self._moving(f"{code} {axes}")
 
     def _cycle(self, scope: Scope) -> list[str]:
         rng = self._rng
         code = rng.choice(("G81", "G82 P0.5", "G83 Q2", "G85", "G73 Q1"))
         repeats = rng.choice(("", " L2"))
-        return ["G17", f"G94 {code} X{self._word(scope)} Y2 Z-5 R{rng.randint(1, 9)}{repeats} F50", "X3 Y-1", "G80"]
+        return self._moving(
+            "G17", f"G94 {code} X{self._word(scope)} Y2 Z-5 R{rng.randint(1, 9)}{repeats} F50", "X3 Y-1", "G80"
+        )
 
     def _probe(self, scope: Scope) -> list[str]:
         way = self._rng.choice(("X5", "Z-5", "Y-3 Z2"))
-        return [f"G91 G94 {self._rng.choice(('G38.2', 'G38.3'))} {way} F50", "G90", self._print(scope)]
+        return self._moving(f"G91 G94 {self._rng.choice(('G38.2', 'G38.3'))} {way} F50", "G90", self._print(scope))
 
     def _arc(self, scope: Scope) -> list[str]:
         plane, one, two = self._rng.choice((("G17", "I", "J"), ("G18", "I", "K"), ("G19", "J", "K")))
-        return [
+        return self._moving(
             f"G94 {plane} G91.1 {self._rng.choice(('G2', 'G3'))} {one}[1+{self._values.small(scope, 9)}] {two}2 F60"
-        ]
+        )
 
     def _saved(self, scope: Scope) -> list[str]:
-        return ["M70", self._rng.choice(_MODES[:18]), self._print(scope), "M72"]
+        return self._moving("M70", self._rng.choice(_MODES[:18]), self._print(scope), "M72")
+
+    def _moving(self, *lines: str) -> list[str]:
+        """Lines, with the codes counted that they hold."""
+        for line in lines:
+            self._use(*(code for code in MOTION if re.search(rf"{re.escape(code)}(?![0-9.])", line)))
+        return list(lines)
 
     def _print(self, scope: Scope) -> str:
         rng = self._rng
