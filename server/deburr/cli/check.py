@@ -11,8 +11,9 @@ from deburr.cli import reporters
 from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.files import STDIN, Target, targets
 from deburr.cli.inputs import add_inputs, inputs_of, settings
+from deburr.cli.main import UNABLE
 from deburr.cli.result import Result
-from deburr.cli.run import Checker, Options, Outcome, outcomes
+from deburr.cli.run import Checker, Fixes, Options, Outcome, outcomes
 from deburr.cli.style import Style, style_for
 from deburr.config import Config, ConfigError, from_command_line
 from deburr.configfile import Configs
@@ -77,6 +78,9 @@ def _add_output(found: argparse.ArgumentParser) -> None:
     runs.add_argument("--no-run", action="store_false", dest="run", help="static analysis only")
     add_inputs(found)
     found.add_argument("--stdin-filename", metavar="PATH", help="the name that standard input goes by")
+    found.add_argument("--fix", action="store_true", help="mend what is safe to mend, and report what is left")
+    found.add_argument("--unsafe-fixes", action="store_true", help="with --fix or --diff: also what is a guess")
+    found.add_argument("--diff", action="store_true", help="write nothing; exit 1 and show what --fix would change")
     found.add_argument(
         "--statistics", action="store_true", help="count the findings of each rule instead of showing them"
     )
@@ -104,7 +108,8 @@ def run(arguments: argparse.Namespace) -> int:
             configs.of(target.file if target.file != STDIN else paths.absolute(arguments.stdin_filename or STDIN))
         _distinct(outputs, found)
         loud = any(each.form == "full" for each in outputs)
-        options = Options(arguments.dialect, arguments.stdin_filename, loud, inputs, arguments.variables)
+        fixes = Fixes(arguments.unsafe_fixes, arguments.diff) if arguments.fix or arguments.diff else None
+        options = Options(arguments.dialect, arguments.stdin_filename, loud, inputs, arguments.variables, fixes)
         result = Result(tuple(outcomes(Checker(configs, options), found, _processes(arguments.jobs, found))))
     except ConfigError as error:
         return unable(error.messages)
@@ -113,6 +118,8 @@ def run(arguments: argparse.Namespace) -> int:
     if not found:
         complain("no programs found under the given paths", "warning")
     _say(result.outcomes, arguments.verbose)
+    if arguments.diff:
+        return _show(result, arguments.quiet)
     try:
         for output in outputs:
             _write(result, output, arguments)
@@ -121,6 +128,16 @@ def run(arguments: argparse.Namespace) -> int:
             raise
         return unable([f"{error.filename or 'standard output'}: {error.strerror}"])
     return result.code(arguments.exit_zero)
+
+
+def _show(result: Result, quiet: bool) -> int:
+    """What fixes would change; the exit code."""
+    changed = [outcome for outcome in result.outcomes if outcome.change]
+    sys.stdout.writelines(outcome.change for outcome in changed)
+    if not quiet:
+        print(result.would_fix(), file=sys.stderr)
+    failed = any(outcome.failure for outcome in result.outcomes)
+    return UNABLE if failed else int(bool(changed))
 
 
 def _top(arguments: argparse.Namespace) -> Config:
@@ -172,7 +189,12 @@ def _distinct(outputs: Iterable[Output], found: Iterable[Target]) -> None:
 
 def _write(result: Result, output: Output, arguments: argparse.Namespace) -> None:
     if not output.file:
-        _report(result, output.form, arguments, sys.stdout, style_for(sys.stdout))
+        piped = [outcome.data for outcome in result.outcomes if outcome.data]
+        for data in piped:
+            sys.stdout.buffer.write(data)
+        # Where a program goes to standard output nothing else may.
+        out = sys.stderr if piped else sys.stdout
+        _report(result, output.form, arguments, out, style_for(out))
         return
     with open(output.file, "w", encoding="utf-8", newline="\n") as out:  # noqa: PTH123  pathlib is not loaded for this.
         _report(result, output.form, arguments, out, Style(False, paths.working_folder()))

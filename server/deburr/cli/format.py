@@ -9,6 +9,7 @@ from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.disk import Disk
 from deburr.cli.files import STDIN, Target, targets
 from deburr.cli.opening import Opener, Opening, Unopened
+from deburr.cli.rewriting import difference, saved
 from deburr.cli.style import style_for
 from deburr.config import ConfigError, settings_of
 from deburr.configfile import Configs
@@ -113,23 +114,12 @@ class Formatter:
         elif new == source.text:
             return ""
         elif self._arguments.diff:
-            sys.stdout.writelines(_difference(source.whole, source._replace(text=new).whole, name))
+            sys.stdout.writelines(difference(source.whole, source._replace(text=new).whole, name))
         elif self._arguments.check:
             print(f"Would reformat: {name}")
         else:
-            return _saved(opening, new)
+            return saved(opening.file, opening.source._replace(text=new))
         return ""
-
-
-def _saved(opening: Opening, new: str) -> str:
-    from deburr.cli.replacing import replacing
-
-    try:
-        with replacing(opening.file) as out:
-            out.write(opening.source._replace(text=new).data)
-    except OSError as error:
-        return f"cannot be written: {error.strerror}"
-    return ""
 
 
 def _left(document: Document) -> Iterator[str]:
@@ -140,20 +130,6 @@ def _left(document: Document) -> Iterator[str]:
         yield f"{lines} left as written because of faults, which `deburr check` names"
     if document.faults:
         yield "indentation is left as written because blocks do not pair; `deburr check` says where"
-
-
-def _difference(old: str, new: str, name: str) -> Iterator[str]:
-    """The change as a unified diff, which `patch` understands."""
-    from difflib import unified_diff
-
-    for line in unified_diff(_lines(old), _lines(new), name, name):
-        yield line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
-
-
-def _lines(text: str) -> list[str]:
-    """Lines as `patch` counts them."""
-    *whole, tail = text.split("\n")
-    return [*(f"{line}\n" for line in whole), *([tail] if tail else [])]
 
 
 def _summary(done: Sequence[Done], tells: bool) -> str:

@@ -68,12 +68,22 @@ class Result:
         checked = len(self.outcomes) - failed - skipped
         parts = [f"{checked} checked", *([f"{failed} not checked"] if failed else [])]
         parts += [f"{skipped} skipped: no dialect"] if skipped else []
+        fixed = sum(outcome.fixed for outcome in self.outcomes)
+        parts += [f"{fixed} fixed"] if fixed else []
         aside = f"({', '.join(parts)})"
         if not counts:
             return f"{'All checks passed' if checked and not failed else 'No findings'} {aside}"
         said = ", ".join(_count(counts[each], each.word) for each in reversed(Severity) if counts[each])
         files = len({finding.place.file for finding, _ in self.findings()})
         return f"Found {said} in {_count(files, 'file')} {aside}"
+
+    def would_fix(self) -> str:
+        """The last line where fixes are only shown."""
+        changed = [outcome for outcome in self.outcomes if outcome.change]
+        if not changed:
+            return "Nothing to fix"
+        count = sum(outcome.fixed for outcome in changed)
+        return f"Would fix {_count(count, 'finding')} in {_count(len(changed), 'file')}"
 
     def code(self, exit_zero: bool) -> int:
         """The exit code: 2 where a file could not be checked, 1 where findings count, else 0."""

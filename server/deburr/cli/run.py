@@ -3,17 +3,20 @@
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+from deburr import paths
 from deburr.analysis import Analysis
 from deburr.check import check
 from deburr.cli.disk import Disk
 from deburr.cli.files import STDIN, Target
 from deburr.cli.inputs import inputs_for
-from deburr.cli.opening import Opener, Unopened
+from deburr.cli.opening import Opener, Opening, Unopened
+from deburr.cli.style import Style
 from deburr.config import RuleSets
 from deburr.configfile import Configs
 from deburr.finding import Finding
 from deburr.host import Host, NoFiles
 from deburr.inputs import Inputs
+from deburr.ruleset import RuleSet
 from deburr.source import Source
 from deburr_grammar.text import split_lines
 
@@ -34,6 +37,19 @@ class Outcome(NamedTuple):
     texts: tuple[tuple[tuple[str, int], str], ...] = ()
     misgiven: str = ""
     """What is wrong with a value that was given for the run; then nothing was run."""
+    fixed: int = 0
+    """Findings that fixes took away."""
+    change: str = ""
+    """What they would change, where that is only shown."""
+    data: bytes = b""
+    """Of standard input the program behind its fixes."""
+
+
+class Fixes(NamedTuple):
+    """Which fixes are made, and whether they are only shown."""
+
+    unsafe: bool = False
+    shown: bool = False
 
 
 class Options(NamedTuple):
@@ -45,6 +61,8 @@ class Options(NamedTuple):
     inputs: Inputs = Inputs()
     values: str | None = None
     """The file that `--variables` names."""
+    fixes: Fixes | None = None
+    """Which fixes are made; None: none."""
 
 
 class Checker:
@@ -61,15 +79,43 @@ class Checker:
         opening = self._opener.opened(target)
         if isinstance(opening, Unopened):
             return Outcome(opening.file, reason=opening.reason, failure=opening.failure)
+        return self._checked(opening) if self._options.fixes is None else self._fixed(opening, target.file == STDIN)
+
+    def _checked(self, opening: Opening) -> Outcome:
         file, name, config, found, dialect, reason = opening
-        host: Host = self._disk if name else NoFiles()
-        ruleset = self._rulesets.of(dialect, config, name or file)
         run, inputs = _Runs(), inputs_for(self._options.inputs, self._options.values, dialect)
         runs = run if config.runs else None
+        ruleset, host = self._ruleset(opening), self._host(name)
         findings = check(found, dialect, ruleset, file, host, runs, inputs, mend=True)
         shown = texts(findings, file, found, host) if self._options.texts and findings else ()
         fails = any(finding.severity >= config.fail_on for finding in findings)
         return Outcome(file, dialect.name, reason, tuple(findings), fails, "", config.origin, shown, run.misgiven)
+
+    def _fixed(self, opening: Opening, piped: bool) -> Outcome:
+        """Mend a program, write or show it, and check what has become of it."""
+        from deburr.cli.fixing import fixed
+        from deburr.cli.rewriting import difference, saved
+
+        fixes, before = self._options.fixes, opening.source
+        assert fixes is not None
+        ruleset, host = self._ruleset(opening), self._host(opening.name)
+        runs = _Runs() if opening.config.runs else None
+        inputs = inputs_for(self._options.inputs, self._options.values, opening.dialect)
+        done = fixed(opening, ruleset, host, runs, inputs, unsafe=fixes.unsafe)
+        outcome = self._checked(opening._replace(source=done.source))._replace(fixed=done.taken)
+        if fixes.shown:
+            name = Style(False, paths.working_folder()).file(opening.file)
+            return outcome._replace(change="".join(difference(before.whole, done.source.whole, name)))
+        if piped:
+            return outcome._replace(data=done.source.data)
+        failure = saved(opening.file, done.source) if done.taken else ""
+        return outcome._replace(failure=failure, fixed=0 if failure else done.taken)
+
+    def _ruleset(self, opening: Opening) -> RuleSet:
+        return self._rulesets.of(opening.dialect, opening.config, opening.name or opening.file)
+
+    def _host(self, name: str) -> Host:
+        return self._disk if name else NoFiles()
 
 
 class _Runs:
