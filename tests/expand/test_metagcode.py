@@ -108,11 +108,12 @@ BODIES = (
 )
 def test_a_loop_is_its_body_once_for_each_printed_value(total: Decimal, step: Decimal, kind: str, body: str) -> None:
     files = {"s.txt": "S|v|\nG0"}
-    looped = f"#LOOP1 |v| {step} {kind}\n{body}\n#ENDLOOP1"
+    looped = f"#LOOP1 |v| {step} {kind}\n{body}\n#ENDLOOP1\n(of |v|)"
     each = [
         line for value in values(total, step, kind) for line in flat(body, files=files, define={"v": value, "w": "7"})
     ]
-    assert flat(looped, files=files, define={"v": f"{total}", "w": "7"}) == each
+    # Behind the loop its variable is what it was.
+    assert flat(looped, files=files, define={"v": f"{total}", "w": "7"}) == [*each, f"(of {total})"]
 
 
 @given(totals, totals, st.sampled_from(("greaterthan", "lessthan", "equalto", "notequalto")), st.sampled_from("nN"))

@@ -8,7 +8,7 @@ from itertools import permutations
 from unittest.mock import patch
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from deburr.expand import Budget, Inputs
@@ -45,6 +45,8 @@ def test_block_numbers_and_texts_are_left_out_and_numbers_kept_if_asked_for(bloc
 
 
 @given(decimals)
+@example(Decimal("2.5"))
+@example(Decimal("-2.5"))
 def test_pal_is_always_an_integer_halves_away_from_zero(value: Decimal) -> None:
     (line,) = expanded(f"PAL[1]<{_term(value)}>\nX<PAL[1]>").lines
     assert Decimal(line[1:]) == value.quantize(Decimal(1), ROUND_HALF_UP)
