@@ -135,6 +135,30 @@ def test_a_client_that_asks_is_told_when_to_ask_again(tmp_path: Path) -> None:
         assert [each["method"] for each in server.said] == ["workspace/diagnostic/refresh"]
 
 
+def test_hints_and_lenses_are_asked_for_again_when_what_they_hang_on_changes(tmp_path: Path) -> None:
+    main, values = uri_of(tmp_path, "main.mgc"), tmp_path / "part.vars"
+    values.write_text("Depth=10\n")
+    refreshes = {"workspace": {kind: {"refreshSupport": True} for kind in ("codeLens", "inlayHint")}}
+    options = {"metagcode": {"variables": str(values)}}
+    ask = {
+        "textDocument": {"uri": main},
+        "range": {"start": {"line": 0, "character": 0}, "end": {"line": 9, "character": 0}},
+    }
+    with inside(tmp_path, refreshes, initializationOptions=options) as server:
+        server.open(main, "#LOOP1 |Depth| 5 c\nZ|Depth|\n#ENDLOOP1\n", "metagcode")
+        server.settle()
+        (hint,) = server.request("textDocument/inlayHint", ask)
+        assert hint["label"] == "2 passes, step 5"
+        server.said.clear()
+        values.write_text("Depth=15\n")
+        changed(server, values)
+        server.settle()
+        asked = {each["method"] for each in server.said if "id" in each}
+        assert asked == {"workspace/codeLens/refresh", "workspace/inlayHint/refresh"}
+        (hint,) = server.request("textDocument/inlayHint", ask)
+        assert hint["label"] == "3 passes, step 5"
+
+
 def test_a_workspace_of_several_folders(tmp_path: Path) -> None:
     for name in ("one", "two"):
         (tmp_path / name).mkdir()

@@ -48,6 +48,10 @@ class Publisher:
         client = self._session.client
         if client.pulls and client.refreshes:
             self._ask("workspace/diagnostic/refresh")
+        if client.refreshes_lenses:
+            self._ask("workspace/codeLens/refresh")
+        if client.refreshes_hints:
+            self._ask("workspace/inlayHint/refresh")
 
     def _ask(self, method: str) -> None:
         self._protocol.send({"id": f"deburr-{next(self._numbers)}", "method": method})
