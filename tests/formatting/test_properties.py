@@ -5,19 +5,23 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from random import Random
+from unittest import mock
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from deburr.formatting.program import applied, formatted
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.document import Document
+from deburr_grammar.layout import Between, Gap, Layout
 from deburr_grammar.text import split_lines
 from deburr_grammar.tree import Token, tokens
+from support.alphabets import alphabet
 from support.cases import cases, expanded
 from support.code import ROOT
-from support.formatting import STYLES, laid_out, spoilt
+from support.formatting import PLAIN, STYLES, laid_out, spoilt
 from support.strategies import steady, texts
 
 DATA = (".vars", ".json", ".jsonl", ".cl", ".toml", ".tbl", ".var")
@@ -123,3 +127,34 @@ def test_examples_are_laid_out(name: str) -> None:
     for path in found:
         text = path.read_text(encoding="utf-8")
         assert laid_out(text, name) == text, path.name
+
+
+def reckless(rng: Random) -> Layout:
+    """A layout that knows nothing of its language."""
+    chosen: dict[tuple[str, str], Gap] = {}
+    everything = frozenset(("line", "template", "header", "table", "text", "TEXT", "advanced", "word"))
+
+    def gap(between: Between) -> Gap:
+        return chosen.setdefault((between.left.kind, between.right.kind), rng.choice(list(Gap)))
+
+    return Layout(gap, indented=everything, trimmed=everything, empties=True, inside=lambda state: rng.randint(0, 3))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_wrong_layout_changes_no_token_either(name: str) -> None:
+    """The proof, not the choices of a dialect, keeps programs what they are."""
+    plain = by_name(name)
+    changed = refused = 0
+    for seed in range(40):
+        rng = Random(seed)
+        dialect = replace(plain, layout=reckless(rng))
+        text = "\n".join(rng.choices(alphabet(plain).lines, k=40))
+        document = Document.parse(text, dialect, 64)
+        new = applied(text, [edit for found in formatted(document, PLAIN) for edit in found])
+        assert read(plain, new) == read(plain, text)
+        changed += new != text
+        with mock.patch("deburr.formatting.program.says_the_same", lambda *_: True):
+            unproven = applied(text, [edit for found in formatted(document, PLAIN) for edit in found])
+        refused += read(plain, unproven) != read(plain, text)
+    assert changed > 20
+    assert refused

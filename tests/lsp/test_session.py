@@ -27,6 +27,9 @@ CALLED = {"rs274": (5, 3, 2), "metagcode": (3, 8, 1), "cgt": (5, 7, 1), "z32": (
 HELPED = {"rs274": (5, 11), "metagcode": (4, 8), "cgt": (4, 14)}
 """Places in what has a signature; functions have one in every dialect, but not every program has one."""
 LINKED = {"rs274": (7, 2), "metagcode": (0, 6)}
+LAID_OUT = {"rs274": ["    #<deep> = ", "    "], "metagcode": [], "cgt": [], "z32": []}
+"""What takes the place of the blanks and words that differ."""
+TYPED = {"rs274": ["    ", "    "], "metagcode": [], "cgt": [], "z32": []}
 FILES = {
     "rs274": {"far.ngc": "o<far> sub\no<far> endsub\n"},
     "metagcode": {"Snippets/part": "G1\n"},
@@ -73,6 +76,7 @@ async def test_every_question_in_every_language(client: LanguageClient, tmp_path
     await asked.about_the_program()
     await asked.about_calls()
     await asked.about_lines()
+    await asked.about_layout()
     await asked.about_colours()
     await asked.about_writing()
     await asked.about_the_flat_program()
@@ -169,6 +173,21 @@ class Asked:
             types.LinkedEditingRangeParams(document, types.Position(*LINKED.get(self._dialect, (0, 0))))
         )
         assert (linked is not None) is (self._dialect in LINKED)
+
+    async def about_layout(self) -> None:
+        client, document = self._client, self._document
+        options = types.FormattingOptions(tab_size=4, insert_spaces=True)
+        whole = await client.text_document_formatting_async(types.DocumentFormattingParams(document, options))
+        assert whole is not None
+        assert [each.new_text for each in whole] == LAID_OUT[self._dialect]
+        ranged = types.DocumentRangeFormattingParams(document, self._all, options)
+        assert await client.text_document_range_formatting_async(ranged) == whole
+        several = types.DocumentRangesFormattingParams(document, [self._all, self._all], options)
+        assert await client.text_document_ranges_formatting_async(several) == whole
+        typed = types.DocumentOnTypeFormattingParams(document, types.Position(2, 0), "\n", options)
+        indented = await client.text_document_on_type_formatting_async(typed)
+        assert indented is not None
+        assert [each.new_text for each in indented] == TYPED[self._dialect]
 
     async def about_colours(self) -> None:
         client, document = self._client, self._document

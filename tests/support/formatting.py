@@ -8,7 +8,8 @@ from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
 
 PLAIN = Style()
-STYLES = (PLAIN, Style("\t", canonical=True))
+CANONICAL = Style("\t", canonical=True)
+STYLES = (PLAIN, CANONICAL)
 
 
 def laid_out(text: str, dialect: str, style: Style = PLAIN, first: int = 0, last: int | None = None) -> str:
