@@ -75,7 +75,7 @@ def test_a_value_that_no_program_can_use_is_no_fault_of_a_program(define: Mappin
     "line",
     [
         "G1 Z|z|", "(down to Z-|z|)", "G0 ; Z-|z|", 'MSG "Z-|z|"', "#1=X-|z|", "HA<X-|z|>", "G1 X[X-|z|]", "!HA=X-|z|!", "G1 X5-|z|", "DEPTH-|z|",
-        "G1 Z--5 X|z|", "G1 X-|plus| Z|z|", "G1 X1-|z|", "N10 (a) (Z-|z|)",
+        "G1 Z--5 X|z|", "G1 Z--|plus|", "G1 X-|plus| Z|z|", "G1 X1-|z|", "N10 (a) (Z-|z|)",
     ],
 )  # fmt: skip
 def test_two_signs_are_wrong_only_where_a_word_has_its_number(line: str) -> None:

@@ -107,7 +107,7 @@ class Flat:
                 end = text.find(self._eol, end) + len(self._eol)
         self.file.truncate(max(end - len(self._eol), 0))
         self.file.seek(0, os.SEEK_END)
-        self._count = count
+        self.count = count
 
     def lines(self) -> list[str]:
         """All lines, to be compared."""

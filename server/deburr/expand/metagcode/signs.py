@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 TWO_SIGNS = re.compile(r"[+-][ \t]*[+-]")
 """What every such line holds."""
-_WORD = re.compile(r"(?<![A-Za-z])[A-Za-z][ \t]*[+-][ \t]*[+-][0-9.]*")
+_WORD = re.compile(r"(?<![A-Za-z])[A-Za-z][ \t]*([+-][ \t]*[+-])[0-9.]*")
 _OTHER = re.compile(r'[(;"=<\[!]')
 """Behind one of these a sign may be that of a text or of an expression."""
 
@@ -31,6 +31,6 @@ def doubled(line: Sequence[str], values: Mapping[str, str]) -> Doubled | None:
             return None
         for index in range(1, len(line), 2):
             # One of the signs must be filled in: what is written out is the program's own business.
-            if match.start() < ends[index] and ends[index - 1] < match.end() and ends[index - 1] < ends[index]:
+            if match.start(1) < ends[index] and ends[index - 1] < min(match.end(1), ends[index]):
                 return Doubled(index // 2, match[0])
     return None
