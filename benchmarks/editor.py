@@ -89,6 +89,7 @@ def times(module: str, path: str, places: int, *, requests: bool = True) -> Time
     text = read(path)
     lines = text.split("\n")
     with server(module) as client:
+        client.patience = 900.0
         client.start(PUSHED)
         client.open("first.ngc", "M2\n", "rs274")
         client.request("textDocument/hover", _at(f"{client.folder.as_uri()}/first.ngc", 0, 0))

@@ -50,6 +50,7 @@ class Client:
         self.log = TemporaryFile()  # noqa: SIM115  it lives as long as the process.
         self.process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=self.log, cwd=folder, env=environment)
         self.folder = folder
+        self.patience = PATIENCE
         self.said: list[Json] = []
         """Notifications and requests of the server that nobody has waited for."""
         self.answer: Callable[[Json], Any] = lambda request: (
@@ -126,7 +127,7 @@ class Client:
 
     def result(self, number: Any) -> Any:
         """The result of a request; Refused if it is an error."""
-        until = time.monotonic() + PATIENCE
+        until = time.monotonic() + self.patience
         while number not in self._answers:
             self._take(until)
         answer = self._answers.pop(number)
@@ -136,7 +137,7 @@ class Client:
 
     def wait(self, method: str, wanted: Callable[[Any], bool] = lambda params: True) -> Any:
         """The parameters of the next notification or request of that method that is wanted."""
-        until = time.monotonic() + PATIENCE
+        until = time.monotonic() + self.patience
         while True:
             for number, message in enumerate(self.said):
                 if message["method"] == method and wanted(message.get("params")):

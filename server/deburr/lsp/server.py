@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import logging
 import sys
 import traceback
@@ -213,6 +214,8 @@ def run(stream: Stream, frames: Frames, met: Met) -> int:
     loop = asyncio.new_event_loop()
     asyncio.set_event_loop(loop)
     server = Server(met.client, stream, loop)
+    gc.freeze()
+    gc.enable()
     for body in met.waiting:
         loop.call_soon(server.receive, body)
     Thread(target=_read, args=(stream, frames, server), daemon=True).start()

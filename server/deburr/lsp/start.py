@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -30,6 +31,8 @@ def serve(stream: Stream) -> int:
     met = met_on(stream, frames)
     if met is None:
         return 1
+    # Nothing of what is imported now is garbage; to look for some among it costs as much as our own modules do.
+    gc.disable()
     from deburr.lsp.server import run
 
     return run(stream, frames, met)
