@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop
 
-SLICE = 0.004
+SLICE = 0.002
 """Seconds that a message may have to wait for work of ours."""
 
 Work = Iterator[None] | Generator[None, None, Any]
