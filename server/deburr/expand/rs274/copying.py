@@ -20,7 +20,7 @@ SHORT = 64
 
 
 class Stretch(NamedTuple):
-    """Consecutive lines to copy: from which row on, as they stand in the source, with their shapes and whether any has a number."""
+    """Consecutive lines to copy: from which row on, as they stand in the source, with their shapes."""
 
     first: int
     lines: Sequence[str]
