@@ -6,7 +6,7 @@ import pytest
 
 from deburr.analysis import Analysis
 from deburr.ide.completion import MOST, completions, resolved
-from deburr.ide.fixes import quick_fixes
+from deburr.ide.fixes import LOOKED_AT, quick_fixes
 from deburr.ide.signature import signature
 from deburr_grammar.dialects import by_name
 from support.views import at_cursor
@@ -203,3 +203,17 @@ def test_a_second_rule_is_allowed_in_the_comment_that_is_there() -> None:
     edits = [each.edits[0].text for each in found if each.title.startswith("Allow")]
     assert edits
     assert all(text.endswith(", ") for text in edits)
+
+
+@pytest.mark.parametrize("ending", ["\n", "\r\n"])
+def test_fixes_end_lines_as_the_program_does(ending: str) -> None:
+    view, _ = at_cursor("rs274", ending.join(("G21 G90 G17", "M3 S100 M4", "M2", "")))
+    findings = Analysis(view.document, view.ruleset, view.file, view.host).findings()
+    (split,) = [each for each in quick_fixes(view, findings) if each.title == "Split the line here"]
+    assert [edit.text for edit in split.edits] == [ending]
+
+
+def test_of_very_many_findings_the_first_are_looked_at() -> None:
+    view, _ = at_cursor("z32", "(P)\n" + "g0 X1\n" * 300 + "M30\n")
+    findings = Analysis(view.document, view.ruleset, view.file, view.host).findings()
+    assert {each.finding.place.line for each in quick_fixes(view, findings)} == set(range(1, LOOKED_AT + 1))

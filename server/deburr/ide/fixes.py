@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from deburr.ide.view import View
     from deburr_grammar.document import Document
 
+LOOKED_AT = 100
+"""Findings of a selection that are looked at: nobody reads a longer list of what can be done."""
 _ALLOWS = re.compile(r"deburr:[ \t]*allow[ \t]+")
 
 
@@ -31,10 +34,10 @@ class QuickFix(NamedTuple):
 
 
 def quick_fixes(view: View, findings: Iterable[Finding]) -> list[QuickFix]:
-    """All that can be done about findings of a program, in its own text."""
+    """All that can be done about findings of a program, in its own text; of very many, about the first ones."""
     analysis = Analysis(view.document, view.ruleset, view.file, view.host)
     found: list[QuickFix] = []
-    for finding in findings:
+    for finding in islice(findings, LOOKED_AT):
         if finding.place.file == view.file and finding.place.line < view.document.line_count:
             found += [*_mended(analysis, finding), *_allowed(analysis, finding)]
     return found
@@ -44,7 +47,7 @@ def _mended(analysis: Analysis, finding: Finding) -> Iterator[QuickFix]:
     """What its rule would do; the first is the thing to do."""
     proven = (fix for fix in fixes_of(analysis, finding) if cures(analysis, finding, fix.edits))
     for number, fix in enumerate(proven):
-        yield QuickFix(fix.title, finding, fix.edits, number == 0)
+        yield QuickFix(fix.title, finding, in_endings(analysis.document, fix.edits), number == 0)
 
 
 def _allowed(analysis: Analysis, finding: Finding) -> Iterator[QuickFix]:
@@ -55,7 +58,7 @@ def _allowed(analysis: Analysis, finding: Finding) -> Iterator[QuickFix]:
         moved = finding._replace(place=_below(finding, edit))
         same = _same_line(document, after, finding.place.line, moved.place.line)
         if same and is_allowed(after, moved) and cures(analysis, finding, [edit]):
-            yield QuickFix(f"Allow `{finding.rule}` here", finding, (edit,))
+            yield QuickFix(f"Allow `{finding.rule}` here", finding, in_endings(document, [edit]))
             return
 
 
