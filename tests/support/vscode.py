@@ -19,8 +19,9 @@ from playwright.sync_api import Browser, Locator, Page, sync_playwright
 from playwright.sync_api import TimeoutError as PlaywrightTimeout
 
 HOME = Path(os.environ.get("DEBURR_EDITORS", Path.home() / ".cache" / "deburr-editors"))
-NODE = HOME / "node24" / "bin"
-CODE = HOME / "code-server" / "node_modules" / "code-server"
+NODE = Path(os.environ.get("DEBURR_CODE_NODE", HOME / "node24" / "bin"))
+CODE = HOME / os.environ.get("DEBURR_CODE", "code-server") / "node_modules" / "code-server"
+"""Another release than the newest is named by its folder; `.ci/vscode VERSION` makes it."""
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 
 QUIET = {
