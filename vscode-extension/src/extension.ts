@@ -1,5 +1,6 @@
 /** Wires the parts together. Holds no logic of its own. */
 import * as vscode from 'vscode';
+import type { Location, Position } from 'vscode-languageclient/node';
 import { ExpandView } from './expandView';
 import { Inputs } from './inputs';
 import { SavedExpansion } from './saved';
@@ -41,6 +42,7 @@ function commands(server: Server, view: ExpandView, inputs: Inputs, saved: Saved
     register('deburr.showLines', editor((active) => view.showLines(active))),
     register('deburr.diffExpansion', editor((active) => saved.compare(active.document.uri))),
     register('deburr.setInputs', editor(async ({ document }) => (await inputs.ask(document.uri)) && view.refresh())),
+    register('deburr.showReferences', (uri: string, position: Position, places: Location[]) => server.showReferences(uri, position, places)),
     register('deburr.restart', () => server.start()),
     register('deburr.showLog', () => log.show()),
     register('deburr.showVersion', () => vscode.window.showInformationMessage(`${server.info}, on ${server.python || 'no Python'}`)),

@@ -1,7 +1,7 @@
 /** The language server: found, started, restarted, and never started for a folder that is not trusted. */
 import * as path from 'node:path';
 import * as vscode from 'vscode';
-import { LanguageClient, State, type LanguageClientOptions, type ServerOptions } from 'vscode-languageclient/node';
+import { LanguageClient, State, type LanguageClientOptions, type Location, type Position, type ServerOptions, type StaticFeature } from 'vscode-languageclient/node';
 import { candidates, choose, type Refusal } from './interpreter';
 import { told } from './settings';
 
@@ -51,6 +51,14 @@ export class Server implements vscode.Disposable {
     return this.client.sendRequest<T>('workspace/executeCommand', { command, arguments: [argument] });
   }
 
+  /** Show places that the server has found; its code lens over a definition asks for it. */
+  async showReferences(uri: string, position: Position, places: Location[]): Promise<void> {
+    const convert = this.client?.protocol2CodeConverter;
+    if (!convert) return;
+    const found = places.map((place) => convert.asLocation(place));
+    await vscode.commands.executeCommand('editor.action.showReferences', vscode.Uri.parse(uri), convert.asPosition(position), found);
+  }
+
   /** What the server says of itself. */
   get info(): string {
     const said = this.client?.initializeResult?.serverInfo;
@@ -84,6 +92,7 @@ export class Server implements vscode.Disposable {
     this.log.info(`the server runs on ${this.python}`);
     const client = new LanguageClient('deburr', 'deburr', options, this.clientOptions());
     this.client = client;
+    client.registerFeature(ABLE);
     client.onDidChangeState(({ newState }) => {
       if (client === this.client) this.become(newState === State.Running ? 'running' : newState === State.Starting ? 'starting' : 'stopped');
     });
@@ -144,6 +153,16 @@ export class Server implements vscode.Disposable {
     this.conditions.fire(condition);
   }
 }
+
+/** What this client can do that the protocol has no name for. */
+const ABLE: StaticFeature = {
+  fillClientCapabilities: (capabilities) => {
+    capabilities.experimental = { ...(capabilities.experimental as object | undefined), commands: { commands: ['deburr.showReferences'] } };
+  },
+  initialize: () => undefined,
+  getState: () => ({ kind: 'static' }),
+  clear: () => undefined,
+};
 
 function uriOf([argument]: readonly unknown[]): vscode.Uri | undefined {
   const said = (argument as { uri?: unknown } | undefined)?.uri;
