@@ -16,15 +16,14 @@ from deburr.schema import LEVELS, TOP, WIDEST, Free, tables
 from deburr_grammar.dialect import Kind, Setting
 from deburr_grammar.dialects import NAMES, by_name
 
-ROOT = Path(__file__).parents[3]
 PAGES = "docs/rules"
 SCHEMA = "server/deburr/deburr.schema.json"
 
 
-def generated() -> dict[str, str]:
-    """All derived files: path from the repository's root, and content."""
+def generated(root: Path) -> dict[str, str]:
+    """All derived files of a checkout: path from its root, and content."""
     found = {f"{PAGES}/{name}.md": pages(name) for name in NAMES}
-    manifest = (ROOT / FOLDER / "package.json").read_text(encoding="utf-8")
+    manifest = (root / FOLDER / "package.json").read_text(encoding="utf-8")
     known = schema()
     return {
         f"{PAGES}/README.md": index(),
@@ -35,15 +34,19 @@ def generated() -> dict[str, str]:
     }
 
 
-def stale(root: Path = ROOT) -> list[str]:
+def stale(root: Path) -> list[str]:
     """The derived files that are not what they should be."""
-    return [name for name, text in generated().items() if _content(root / name) != text]
+    return [name for name, text in generated(root).items() if _content(root / name) != text]
 
 
 def main() -> int:
-    """Write what is stale and say so."""
-    for name, text in generated().items():
-        path = ROOT / name
+    """Write what is stale in the checkout that one works in, and say so; the package itself may be installed elsewhere."""
+    root = Path.cwd()
+    if not (root / FOLDER).is_dir():
+        print(f"{root} is no checkout of deburr: run this in its top folder", file=sys.stderr)
+        return 2
+    for name, text in generated(root).items():
+        path = root / name
         if _content(path) != text:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8", newline="\n")
