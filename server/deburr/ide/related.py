@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from deburr.symbols import Act, Sort, Symbol, language_of
 from deburr.symbols.index import Placed, Region, all_symbols, mentions_of
 
 if TYPE_CHECKING:
+    from deburr.host import Host
     from deburr.ide.view import View
 
 _MOST = 500
@@ -17,11 +18,30 @@ _FILES = (Sort.SUB, Sort.FILE, Sort.SECTION)
 _SHARED = (Sort.SUB, Sort.FILE, Sort.VARIABLE)
 
 
+class _Glance:
+    """A host that looks into each folder once: the thousands of names of a library may all lead into the same."""
+
+    def __init__(self, host: Host) -> None:
+        self._host = host
+        self._names: dict[str, Sequence[str]] = {}
+
+    def read(self, path: str) -> str | None:
+        """The text of a file."""
+        return self._host.read(path)
+
+    def names(self, folder: str) -> Sequence[str]:
+        """The names in a folder."""
+        found = self._names.get(folder)
+        if found is None:
+            found = self._names[folder] = self._host.names(folder)
+        return found
+
+
 def called(view: View) -> Iterator[View]:
     """The programs whose files a program's names lead to."""
-    language = language_of(view.dialect.name)
+    language, host = language_of(view.dialect.name), _Glance(view.host)
     for symbol in all_symbols(view.document, *_FILES) if language is not None else ():
-        path = language.file(symbol, view.file, view.ruleset, view.host) if language is not None else None
+        path = language.file(symbol, view.file, view.ruleset, host) if language is not None else None
         found = None if path is None or path == view.file else view.beside(path)
         if found is not None:
             yield found
