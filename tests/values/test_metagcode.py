@@ -69,10 +69,10 @@ def test_runs_see_what_is_proven(first: int) -> None:
 
 def test_a_wrong_range_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     """The proof that runs are looked at: with `lessthan` taken for its opposite, many differ."""
-    from deburr.values.metagcode import flow
+    from deburr.values.metagcode import conditions
 
-    monkeypatch.setitem(flow._MIRRORED, "lessthan", "lessthan")
-    monkeypatch.setattr(flow, "above", flow.below)
+    monkeypatch.setitem(conditions._MIRRORED, "lessthan", "lessthan")
+    monkeypatch.setattr(conditions, "above", conditions.below)
     with pytest.raises(AssertionError, match="seed"):
         for seed in range(90_000, 90_400):
             _watched(seed)

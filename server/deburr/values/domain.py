@@ -47,8 +47,10 @@ class Value(NamedTuple):
     @property
     def whole(self) -> bool:
         """Whether all are integers."""
-        grid = _grid(self)
-        return grid is not None and grid[0] % UNITS == 0 and grid[1] % UNITS == 0
+        if self.step:
+            bound = self.low if math.isfinite(self.low) else self.high
+            return self.step % UNITS == 0 and (bound.is_integer() or not math.isfinite(bound))
+        return self.low == self.high and self.low.is_integer()
 
     @property
     def size(self) -> int | None:
@@ -259,5 +261,4 @@ def _base(value: Value) -> int:
 
 
 def _units(number: float) -> int:
-    whole = math.floor(number)
-    return whole * UNITS + int((number - whole) * UNITS)
+    return int(number * UNITS) if -_VAST < number < _VAST else int(number) * UNITS

@@ -33,12 +33,11 @@ class Proof(Exception):
 class Summary(NamedTuple):
     """What is known of a routine that is called.
 
-    ``env``: what the variables hold that it may set, when it returns; None: it does not return. ``stops``: whether it may end the program.
+    ``env``: what the variables hold that it may set, when it returns; None: it does not return.
     ``touched`` and ``written``: the shared variables that concern it, and those that it may set, by itself and by its own calls; None: all.
     """
 
     env: Env | None
-    stops: bool
     touched: frozenset[Key] | None
     written: frozenset[Key] | None
 

@@ -61,7 +61,7 @@ class Program:
             for callee in sorted(routine.graph.callees & routines.keys()):
                 self._callers[callee].append(routine.name)
         for name in routines:
-            self._summaries[name] = Summary(None, False, self._reached(name, False), self._reached(name, True))
+            self._summaries[name] = Summary(None, self._reached(name, False), self._reached(name, True))
 
     def entry(self, name: str) -> Env:
         """What a routine is called with, all calls together."""
@@ -133,22 +133,18 @@ class Program:
 
     def _leave(self, name: str, solution: Solution) -> None:
         old = self._summaries[name]
-        env, stops = solution.returned, old.stops or solution.stops or self._stops(name)
+        env = solution.returned
         if env is not None and old.written is not None:
             env = {key: value for key, value in env.items() if key in old.written}
         if env is None or old.env is None:
             env = old.env if env is None else env
         else:
             env = self._merge(name, True, old.env, env)
-        if (env, stops) != (old.env, old.stops):
-            self._summaries[name] = old._replace(env=env, stops=stops)
+        if env != old.env:
+            self._summaries[name] = old._replace(env=env)
             for caller in self._callers[name]:
                 if caller in self._entries:
                     self._queue(caller)
-
-    def _stops(self, name: str) -> bool:
-        callees = self.routines[name].graph.callees
-        return any(each not in self._summaries or self._summaries[each].stops for each in callees)
 
     def _merge(self, name: str, leaving: bool, old: Env, new: Env) -> Env:
         self._grown[name, leaving] += 1
@@ -173,7 +169,7 @@ class Program:
         return frozenset(found)
 
 
-_OUTDATED = Summary(None, True, frozenset(), None)
+_OUTDATED = Summary({}, frozenset(), None)
 """What nothing is ever known to be."""
 
 

@@ -47,11 +47,6 @@ class Solution:
         """What it returns with; None: it does not return."""
         return joined_all(self._came[RETURN].values())
 
-    @property
-    def stops(self) -> bool:
-        """Whether the program may end in it."""
-        return bool(self._came[STOP])
-
     def targets(self, node: int) -> tuple[int, ...]:
         """Where a node may go on."""
         return self._targets.get(node, ())
@@ -59,10 +54,6 @@ class Solution:
     def sources(self, node: int) -> Iterable[int]:
         """From where a node may be reached."""
         return [source for source in self._came[node] if source != _ENTRY]
-
-    def entered(self, node: int) -> bool:
-        """Whether the routine starts at a node."""
-        return _ENTRY in self._came[node]
 
     def _follow(self, first: list[int], now: Callable[[int], Env | None]) -> Iterator[None]:
         waiting, queued = list(first), set(first)

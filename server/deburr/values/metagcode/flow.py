@@ -1,38 +1,40 @@
 """The flow of a MetaGCODE text as a graph: conditions, loops, words with a sign (spec/metagcode.md §5). Solves nothing.
 
 Variables never change, so a loop is gone through once: whatever holds in one of its passes is
-known from its head. Bounds are doubles around exact decimals, and never strict but at 0.
+known from its head.
 """
 
 from __future__ import annotations
 
-import math
 from collections import OrderedDict
 from collections.abc import Callable, Hashable, Sequence
-from decimal import Decimal
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.values import operations as on
 from deburr.values.domain import (
     NO,
-    NOTHING,
     WILD,
     Value,
-    above,
-    below,
-    exactly,
     may_be_zero,
     truth,
     without_zero,
 )
 from deburr.values.graph import STOP, Calls, Dead, Env, Flows, Graph, Node, Proof
+from deburr.values.metagcode.conditions import (
+    COMPARED,
+    Item,
+    as_number,
+    finite,
+    is_negative,
+    item_of,
+    spelled_alike,
+    under,
+)
 from deburr.values.metagcode.lines import SIGNED, Taken, Unseen, taken
 from deburr.values.program import Routine
 from deburr_grammar.dialect import Role
-from deburr_grammar.dialects.metagcode.forms import condition, groups, is_numeric, name, number
+from deburr_grammar.dialects.metagcode.forms import condition, groups, is_numeric
 from deburr_grammar.dialects.metagcode.limits import NESTED, PASSES
 from deburr_grammar.text import Span
-from deburr_grammar.tree import Token
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
@@ -41,30 +43,8 @@ _NAME = "text"
 _KEPT = 200
 _ROUNDED = 0.5
 """What a printed value is away from the exact one at most, whatever number of decimals is asked for."""
-_TINY = 5e-324
 _SLACK = 1 + 1e-9
 _graphs: OrderedDict[Hashable, Graph] = OrderedDict()
-_EQUAL = on.equal(_TINY)
-_COMPARED: dict[str, on.Lifted] = {
-    "greaterthan": on.swapped(on.less),
-    "lessthan": on.less,
-    "equalto": _EQUAL,
-    "notequalto": on.negated(_EQUAL),
-}
-_OPPOSITE = {"greaterthan": "most", "lessthan": "least", "equalto": "notequalto", "notequalto": "equalto"}
-_MIRRORED = {"greaterthan": "lessthan", "lessthan": "greaterthan", "equalto": "equalto", "notequalto": "notequalto"}
-
-
-class Item(NamedTuple):
-    """A value on a directive's line: the name of its variable or what the number is that stands there, and its columns."""
-
-    name: str | None
-    literal: Value
-    span: Span
-
-    def of(self, env: Env) -> Value:
-        """What it stands for."""
-        return self.literal if self.name is None else env.get(self.name, WILD)
 
 
 def routine_of(analysis: Analysis) -> Routine | None:
@@ -125,14 +105,14 @@ def _node(at: int, line: Taken, partners: dict[int, int], count: int, own: bool)
     beyond = other if other < count else STOP
     for part in line.node.find("condition"):
         asked = condition(part)
-        left, right = _item(line, asked.left), _item(line, asked.right)
+        left, right = item_of(line, asked.left), item_of(line, asked.right)
         word = line.node.text[asked.operator.start : asked.operator.end].lower()
-        if word in _COMPARED and asked.type.kind == "TYPE":
+        if word in COMPARED and asked.type.kind == "TYPE":
             numeric = is_numeric(line.node.text[asked.type.start : asked.type.end])
             return _asked(at, left, word, right, numeric, (behind, beyond), own)
     for part in line.node.find("header"):
         counters = [
-            Counter(_item(line, group.counter), _item(line, group.step), line.node.text[group.mode.start] in "rR")
+            Counter(item_of(line, group.counter), item_of(line, group.step), line.node.text[group.mode.start] in "rR")
             for group in groups(part)
             if (group.counter.kind, group.mode.kind) == ("VARIABLE", "MODE")
         ]
@@ -141,116 +121,30 @@ def _node(at: int, line: Taken, partners: dict[int, int], count: int, own: bool)
     return Node(at, lambda env, calls: ((behind, env), (beyond, env)), condition=bracket.span)
 
 
-def _item(line: Taken, token: Token) -> Item:
-    said, span = line.node.text[token.start : token.end], Span(token.start, token.end)
-    if token.kind == "VARIABLE":
-        return Item(name(said), WILD, span)
-    return Item(None, _literal(said), span)
-
-
-def _literal(said: str) -> Value:
-    """What a text is as a number; one that is none is only wild."""
-    value = number(said)
-    return NOTHING._replace(wild=True) if value is None else _around(value)
-
-
-def _around(value: Decimal) -> Value:
-    """A decimal between the doubles around it."""
-    near = float(value)
-    if not math.isfinite(near):
-        return Value(*((-math.inf, -1e300) if value < 0 else (1e300, math.inf)))
-    if Decimal(near) == value:
-        return exactly(near)
-    return Value(math.nextafter(near, -math.inf), math.nextafter(near, math.inf))
-
-
 def _asked(at: int, left: Item, word: str, right: Item, numeric: bool, ways: tuple[int, int], own: bool) -> Node:
     then, otherwise = ways
     span = Span(left.span.start, right.span.end)
     used = frozenset(item.name for item in (left, right) if item.name is not None)
 
     def decided(env: Env, calls: Calls) -> Flows:
-        found: Env = {item.name: _number(item, env) for item in (left, right) if item.name is not None}
+        found: Env = {item.name: as_number(item, env) for item in (left, right) if item.name is not None}
         env = {**env, **found}
-        one, two = _finite(left.of(env)), _finite(right.of(env))
-        known = truth(_COMPARED[word](one, two))
+        one, two = finite(left.of(env)), finite(right.of(env))
+        known = truth(COMPARED[word](one, two))
         flows: list[tuple[int, Env]] = []
         for to, holds in ((then, True), (otherwise, False)):
-            learned = _learned(env, left, word, right, holds) if known in (None, holds) else None
+            learned = under(env, left, word, right, holds) if known in (None, holds) else None
             if learned is not None:
                 flows.append((to, learned))
         return flows
 
     def compared(env: Env, calls: Calls) -> Flows:
-        learned = _spelled(env, left, right) if word == "equalto" else env
+        learned = spelled_alike(env, left, right) if word == "equalto" else env
         return ((otherwise, env),) if learned is None else ((then, learned), (otherwise, env))
 
     message = "what the conditions around it say contradicts this one: its lines are never generated"
     dead = Dead(then, "if-contradiction", span, message) if own and used and then != otherwise else None
     return Node(at, decided if numeric else compared, used, condition=span, dead=dead)
-
-
-def _learned(env: Env, left: Item, word: str, right: Item, holds: bool) -> Env | None:
-    """The values under which a numeric comparison is true, or false; None: it never is."""
-    found = dict(env)
-    for item, relation, other in ((left, word, right), (right, _MIRRORED[word], left)):
-        if item.name is not None:
-            value = _kept(item.of(found), relation if holds else _OPPOSITE[relation], _finite(other.of(found)))
-            if value.impossible:
-                return None
-            found[item.name] = value
-    return found
-
-
-def _kept(value: Value, relation: str, other: Value) -> Value:
-    if other.empty:
-        return value
-    match relation:
-        case "greaterthan":
-            found = above(value, other.low, False)
-            return without_zero(found) if other.low == 0 else found
-        case "lessthan":
-            found = below(value, other.high, False)
-            return without_zero(found) if other.high == 0 else found
-        case "least":
-            return above(value, other.low, False)
-        case "most":
-            return below(value, other.high, False)
-        case "equalto":
-            return below(above(value, other.low, False), other.high, False)
-        case _:
-            return without_zero(value) if other == NO else value
-
-
-def _spelled(env: Env, left: Item, right: Item) -> Env | None:
-    """The values under which two texts are the same, if one of them stands in the line; None: they never are."""
-    for item, other in ((left, right), (right, left)):
-        if item.name is not None and other.name is None:
-            value, meant = item.of(env), other.literal
-            if meant.empty:
-                return {**env, item.name: meant} if value.wild else None
-            found = below(above(_finite(value), meant.low, False), meant.high, False)
-            return None if found.empty else {**env, item.name: found}
-    return env
-
-
-def _number(item: Item, env: Env) -> Value:
-    """The value of a variable where a number must stand."""
-    value = item.of(env)
-    if value.empty and value.wild:
-        message = (
-            f"`|{item.name}|` is compared before with a text that is no number, so there is nothing to calculate with"
-        )
-        raise Proof("not-numeric", item.span, message)
-    return _finite(value)
-
-
-def _is_negative(value: Value) -> bool:
-    return value.high <= 0 and not may_be_zero(value) and not value.wild and not value.empty
-
-
-def _finite(value: Value) -> Value:
-    return value._replace(wild=False)
 
 
 class Counter(NamedTuple):
@@ -268,7 +162,7 @@ def _loop(at: int, counters: Sequence[Counter], span: Span, behind: int, beyond:
 
     def entered(env: Env, calls: Calls) -> Flows:
         remarks.clear()
-        found: Env = {item.name: _number(item, env) for item in items if item.name is not None}
+        found: Env = {item.name: as_number(item, env) for item in items if item.name is not None}
         env = {**env, **found}
         for counter in counters:
             _judge_step(counter, env, remarks)
@@ -305,7 +199,7 @@ def _judge_step(counter: Counter, env: Env, remarks: list[Proof]) -> None:
     if size == NO:
         message = f"`|{step.name}|` can only be 0 here; a step of 0 never reaches the total, and the number of passes would be a division by zero"
         raise Proof("loop-step-zero", step.span, message)
-    if _is_negative(size):
+    if is_negative(size):
         message = f"`|{step.name}|` is always below 0 here; the sign is ignored, the direction is that of `|{counter.total.name}|`"
         remarks.append(Proof("loop-step-negative", step.span, message))
 
@@ -354,7 +248,7 @@ def _words(at: int, line: Taken, behind: int) -> Node:
     def filled(env: Env, calls: Calls) -> Flows:
         for variable, span in signed:
             value = env.get(variable, WILD)
-            if _is_negative(value):
+            if is_negative(value):
                 message = f"`|{variable}|` is always below 0 here, and a sign stands before it already; write the sign in the line or in the value, not in both"
                 raise Proof("double-sign", span, message)
         return ((behind, env),)

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from deburr.values.graph import Env, Graph, unset
 from deburr.values.program import Routine
-from deburr.values.rs274.flow import Builder, Torn
+from deburr.values.rs274.commands import Torn
+from deburr.values.rs274.flow import Builder
 from deburr.values.rs274.lines import Taken, taken
 from deburr_grammar.dialect import Role
 
