@@ -148,7 +148,7 @@ class _Watch:
     @contextmanager
     def watching(self) -> Iterator[None]:
         """Have each line looked at."""
-        compiled = Run._compile
+        compiled = Run._compiled
 
         def compiling(run: Run, unit: Unit, row: int) -> Op:
             op = compiled(run, unit, row)
@@ -162,10 +162,11 @@ class _Watch:
                     self.wrong.append((row, "is passed"))
                 return behind
 
+            unit.code[row] = executed
             return executed
 
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(Run, "_compile", compiling)
+            patch.setattr(Run, "_compiled", compiling)
             yield
 
     def _look(self, row: int, state: State) -> None:
