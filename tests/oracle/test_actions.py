@@ -15,8 +15,8 @@ from deburr.ide.fixes import quick_fixes
 from deburr.ide.refactor import Cannot
 from deburr.ide.refactorings import rebuilt
 from deburr.ide.view import View
-from deburr.symbols import Act, Sort
-from deburr.symbols.index import all_symbols, mentions_of, regions_of
+from deburr.symbols import Act
+from deburr.symbols.index import on_line
 from deburr_grammar.document import Document
 from deburr_grammar.text import Pos
 from support.flat import DIALECT, RULES, Case, ran
@@ -78,16 +78,12 @@ def allowed(view: View) -> str:
 
 def inlined(view: View) -> str:
     """With the first constant that can be inlined in the place of its name."""
-    variables = sorted(
-        (each for each in all_symbols(view.document) if each.sort is Sort.VARIABLE and each.name), key=str
-    )
-    regions = {each: sorted(regions_of(view.document, each) if each.local else {None}, key=str) for each in variables}
-    places = [
-        one for each, found in regions.items() for where in found for one in mentions_of(view.document, each, where)
+    document = view.document
+    found = [(each, line) for line in range(document.line_count) for each in on_line(document, line)]
+    sets = [
+        (str(each.symbol), line, each.span.start) for each, line in found if each.act is Act.SET and each.symbol.name
     ]
-    return first_that_holds(
-        view, "inline", [(one.line, one.line, one.mention.span.start) for one in places if one.mention.act is Act.SET]
-    )
+    return first_that_holds(view, "inline", [(line, line, col) for _, line, col in sorted(sets)])
 
 
 def extracted(view: View) -> str:
