@@ -10,13 +10,12 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
-_SEPARATOR = "\0"
 _NOTHING = "(?!)"
+_SEPARATOR = "\0"
 _DIGITS = re.compile("[0-9]+")
-_ZEROES = bytes.maketrans(b"123456789", b"000000000")
-_TOP_BIT = bytes(0x80 if byte in b"0123456789" else 0 for byte in range(256))
+_NUMBER = r"[ \t]*[0-9][0-9 \t]*(?:\.[0-9 \t]*)?"
 _MARKED = bytes(range(0x80, 0x100))
 _RARE = 200
 """Comment signs are rare where so many characters come to one."""
@@ -26,6 +25,7 @@ _RARE = 200
 class Folding:
     """How a dialect's lines are folded.
 
+    ``codes`` are letters whose numbers must stay as they are, with blanks and a point in them.
     ``protect`` matches digit-bearing text that must stay as it is (keywords, G and M numbers).
     ``inert`` matches a whole comment whose body means nothing; its groups capture what is
     kept, and the body follows the first of them. A comment whose body does mean something is
@@ -33,6 +33,7 @@ class Folding:
     Neither may match a line end, nor may ``protect`` reach into a comment.
     """
 
+    codes: str = ""
     protect: str = ""
     inert: str = ""
     signs: str = ""
@@ -42,12 +43,15 @@ class Folding:
         """The shapes of all lines of a text whose line endings are newlines."""
         if self.inert:
             text = self._without_comments(text)
-        if not self.protect:
-            return _fold_digits(text)
+        folded = None if self.protect else _fold_digits(text, self._classes)
+        if folded is not None:
+            return folded
         if _SEPARATOR in text:
             return self._protected_or_digits.sub(lambda match: match[1] or "0", text)
         pieces = self._protect.split(text)
-        pieces[::2] = _fold_digits(_SEPARATOR.join(pieces[::2])).split(_SEPARATOR)
+        rest = _SEPARATOR.join(pieces[::2])
+        folded = _fold_digits(rest, _PLAIN)
+        pieces[::2] = (_DIGITS.sub("0", rest) if folded is None else folded).split(_SEPARATOR)
         return "".join(pieces)
 
     def _without_comments(self, text: str) -> str:
@@ -95,17 +99,26 @@ class Folding:
         return "".join(f"\\{group}" for group in range(1, self._inert.groups + 1))
 
     @cached_property
+    def _protected(self) -> str:
+        codes = [f"[{self.codes}]{_NUMBER}"] if self.codes else []
+        return "|".join([*codes, self.protect or _NOTHING])
+
+    @cached_property
     def _protect(self) -> re.Pattern[str]:
-        return re.compile(f"({self.protect})")
+        return re.compile(f"({self._protected})")
 
     @cached_property
     def _protected_or_digits(self) -> re.Pattern[str]:
-        return re.compile(f"({self.protect or _NOTHING})|[0-9]+")
+        return re.compile(f"({self._protected})|[0-9]+")
+
+    @cached_property
+    def _classes(self) -> bytes:
+        return _classes_of(self.codes)
 
     @cached_property
     def _foldable(self) -> re.Pattern[str]:
         return re.compile(
-            f"(?P<inert_>{self.inert or _NOTHING})|(?P<protected_>{self.protect or _NOTHING})|(?P<digits_>[0-9]+)"
+            f"(?P<inert_>{self.inert or _NOTHING})|(?P<protected_>{self._protected})|(?P<digits_>[0-9]+)"
         )
 
 
@@ -137,17 +150,41 @@ def _lines_with(sign: str, text: str) -> Iterator[int]:
         at = text.find(sign, end) if end >= 0 else -1
 
 
-def _fold_digits(text: str) -> str:
-    """Each run of digits as one `0`.
+def _classes_of(codes: str) -> bytes:
+    """Of each character, in a bit each, whether it is a digit, the letter of a code, a blank, a point."""
+    kinds = ((0x80, "0123456789"), (0x40, codes), (0x20, " \t"), (0x10, "."))
+    return bytes(sum(bit for bit, chars in kinds if chr(byte) in chars) for byte in range(256))
 
-    All digits of a text are looked at at once: as one long integer, in which a byte's top bit
-    says that it is a digit, shifted by a byte against itself. That is twice as fast as
-    replacing runs, and this is where a large file's time goes.
+
+_PLAIN = _classes_of("")
+
+
+def _fold_digits(text: str, classes: bytes) -> str | None:
+    """Each run of digits as one `0`, but for those right behind the letter of a code; None where one has blanks or a point.
+
+    All characters of a text are looked at at once: as one long integer, in which a bit of each
+    byte says what it is, shifted by a byte against itself. That is much faster than replacing
+    runs, and this is where a large file's time goes.
     """
     if not text.isascii():
-        return _DIGITS.sub("0", text)
+        return None
     raw = text.encode("ascii")
-    digits = int.from_bytes(raw.translate(_TOP_BIT), "little")
-    behind_a_digit = digits & digits << 8
-    marked = int.from_bytes(raw.translate(_ZEROES), "little") | behind_a_digit
-    return marked.to_bytes(len(raw), "little").translate(None, _MARKED).decode("ascii")
+    said = int.from_bytes(raw.translate(classes), "little")
+    top = _top_bits(len(raw))
+    digits, blanks, points = said & top, said << 2 & top, said << 3 & top
+    codes = (said << 1 & top) << 8
+    kept = more = codes & digits
+    while more := more << 8 & digits:
+        kept |= more
+    behind = kept << 8
+    if codes & blanks or behind & points or (behind & blanks) << 8 & (digits | blanks | points):
+        return None
+    loose = digits ^ kept
+    # A digit without its lower half is a `0`; what follows another one is marked, and dropped.
+    folded = int.from_bytes(raw, "little") & ~((loose >> 7) * 0x0F) | loose & loose << 8
+    return folded.to_bytes(len(raw), "little").translate(None, _MARKED).decode("ascii")
+
+
+@lru_cache(maxsize=64)
+def _top_bits(size: int) -> int:
+    return int.from_bytes(b"\x80" * size, "little")

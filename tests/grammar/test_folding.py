@@ -7,10 +7,12 @@ from pathlib import Path
 
 import pytest
 from hypothesis import given
+from hypothesis import strategies as st
 
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.line import LineNode, shapes_of
+from deburr_grammar.shape import Folding
 from deburr_grammar.tree import Node, tokens, walk
 from support import naive
 from support.alphabets import alphabet, pieces
@@ -118,6 +120,21 @@ def test_folding_many_lines_folds_each(name: str) -> None:
         assert dialect.folding.fold("\n".join(lines)).split("\n") == [dialect.folding.fold(line) for line in lines]
 
     fold()
+
+
+def test_numbers_of_codes_are_kept_as_they_are_written() -> None:
+    """Looked at one by one: behind the letter, with blanks between the digits and one point."""
+    folding = Folding(codes="Gm")
+    number = re.compile(r"([Gm][ \t]*[0-9][0-9 \t]*(?:\.[0-9 \t]*)?)|[0-9]+")
+
+    @steady(400)
+    @given(st.text("GmX012. \t\n\u00e9", max_size=30))
+    def fold(text: str) -> None:
+        assert folding.fold(text) == number.sub(lambda match: match[1] or "0", text)
+
+    fold()
+    assert folding.fold("N12 G17 X1.25 m 3 0 Y45 G38. 2 0G5") == "N0 G17 X0.0 m 3 0 Y0 G38. 2 0G5"
+    assert folding.fold("N12 G2 1 X25") == "N0 G2 1 X0"
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -160,7 +160,10 @@ MUTANTS = {
     ),
     "a search runs over region boundaries": (search, "_scan", "bracket.role in CUTS", "False"),
     "a search skips a stretch by its closers alone": (search, "Partners._visit", "depth - near + far", "depth - near"),
-    "digits of G and M codes are folded": (shape, "Folding.fold", "not self.protect", "True"),
+    "digits of G and M codes are folded": (shape, "_fold_digits", "codes & digits", "codes & 0"),
+    "a code ends at its first digit": (shape, "_fold_digits", "kept |= more", "pass"),
+    "a blank before a code's number ends it": (shape, "_fold_digits", "if codes & blanks or", "if"),
+    "a point ends a code": (shape, "_fold_digits", "or behind & points or", "or"),
     "columns forget that digits were folded": (
         shape,
         "Columns.__call__",
@@ -189,7 +192,7 @@ def test_mutant_that_splits_at_form_feeds_is_caught() -> None:
 
 def test_mutant_that_drops_active_comments_is_caught() -> None:
     """Over-eager folding: the body of a comment that says something."""
-    folding = shape.Folding(DIALECT.folding.protect, r"\((?<=(\())[^()\n]*(\))|;(?<=(;))[^\n]*")
+    folding = shape.Folding(DIALECT.folding.codes, "", r"\((?<=(\())[^()\n]*(\))|;(?<=(;))[^\n]*")
     dialect = replace(DIALECT, folding=folding)
     with cold(), pytest.raises(AssertionError):
         for case in cases():

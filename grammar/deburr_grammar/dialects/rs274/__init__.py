@@ -17,7 +17,7 @@ DIALECT = Dialect(
     readings=READINGS,
     folding=Folding(
         # The numbers of G and M codes decide what a line is; rules are kept with its shape.
-        protect=r"[GgMm][ \t]*[0-9][0-9 \t]*(?:\.[0-9 \t]*)?",
+        codes="GgMm",
         # What an active or unclosed comment says is kept: a `;` in it starts no other comment.
         inert=rf"(\((?:(?={_ACTIVE})[^()\n]*\)?|[^()\n]*+(?!\))))|\((?<=(\())[^()\n]*(\))|;(?<=(;))[^\n]*",
         signs="(;",
