@@ -5,18 +5,16 @@
 files costs more than all the rest of a short check.
 """
 
-import pickle
+import marshal
 import pkgutil
 import re
 import zlib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 
-@dataclass(frozen=True, slots=True)
-class Entry:
+class Entry(NamedTuple):
     """One line of a table. ``first`` and ``last`` bound a family (`M100-M199`, `PAL[256..512]`), both included."""
 
     table: str
@@ -25,11 +23,15 @@ class Entry:
     text: str
     first: int | None = None
     last: int | None = None
-    more: Mapping[str, Any] = field(default_factory=dict)
+    more: Mapping[str, Any] = {}
 
     def covers(self, number: int) -> bool:
         """Whether a number lies in the family."""
         return self.first is not None and self.last is not None and self.first <= number <= self.last
+
+
+_Row = tuple[str, str, str, int | None, int | None, dict[str, Any]]
+"""An entry without its table."""
 
 
 class CodeTable:
@@ -61,21 +63,21 @@ class CodeTable:
 
     def tables(self) -> bytes:
         """What `codes.tables` should hold."""
-        return self._key + pickle.dumps(self._rows(), 4)
+        return self._key + marshal.dumps(self._rows(), 2)
 
     @cached_property
     def _tables(self) -> dict[str, tuple[Entry, ...]]:
         stored = _read(self._package, "codes.tables")
-        rows = pickle.loads(stored[len(self._key) :]) if stored.startswith(self._key) else self._rows()
-        return {table: tuple(_entry(table, row) for row in found) for table, found in rows.items()}
+        rows = marshal.loads(stored[len(self._key) :]) if stored.startswith(self._key) else self._rows()
+        return {table: tuple(Entry(table, *row) for row in found) for table, found in rows.items()}
 
-    def _rows(self) -> dict[str, list[dict[str, Any]]]:
+    def _rows(self) -> dict[str, list[_Row]]:
         import tomllib
 
-        found: dict[str, list[dict[str, Any]]] = {}
+        found: dict[str, list[_Row]] = {}
         for text in self._texts:
             for table, rows in tomllib.loads(text.decode("utf-8")).items():
-                found[table] = [*found.get(table, ()), *rows]
+                found[table] = [*found.get(table, ()), *map(_row, rows)]
         return found
 
     @cached_property
@@ -102,20 +104,14 @@ def code_number(text: str) -> str:
     return letter.upper() + (whole.lstrip("0") or "0") + (f".{fraction}" if fraction else "")
 
 
-def _entry(table: str, row: dict[str, Any]) -> Entry:
+def _row(row: dict[str, Any]) -> _Row:
+    """A line of a TOML table as `Entry` takes it."""
     name = next(
         (str(row[key]) for key in ("name", "letter", "id") if key in row), f"{row.get('first')}-{row.get('last')}"
     )
     known = {"name", "title", "text", "first", "last"}
-    return Entry(
-        table,
-        name,
-        row.get("title", ""),
-        row.get("text", ""),
-        row.get("first"),
-        row.get("last"),
-        {key: value for key, value in row.items() if key not in known},
-    )
+    more = {key: value for key, value in row.items() if key not in known}
+    return name, row.get("title", ""), row.get("text", ""), row.get("first"), row.get("last"), more
 
 
 def _read(package: str, file: str) -> bytes:

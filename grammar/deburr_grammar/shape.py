@@ -117,9 +117,7 @@ class Folding:
 
     @cached_property
     def _foldable(self) -> re.Pattern[str]:
-        return re.compile(
-            f"(?P<inert_>{self.inert or _NOTHING})|(?P<protected_>{self._protected})|(?P<digits_>[0-9]+)"
-        )
+        return re.compile(f"(?P<inert_>{self.inert or _NOTHING})|(?P<protected_>{self._protected})|(?P<digits_>[0-9]+)")
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from deburr.blocks import Block, Scope
     from deburr_grammar.structure import Placed
 
-_PROGRAM_END = re.compile(r"\s*(?:N[0-9]+\s*)?(?:M0*(?:2|30)\b|%)", re.I)
+_PROGRAM_END = r"(?i)\s*(?:N[0-9]+\s*)?(?:M0*(?:2|30)\b|%)"
 _NUMBER = re.compile(r"[0-9]+")
 
 
@@ -89,7 +89,7 @@ def _limit(broken: Broken, scope: Scope, block: Block | None) -> int:
     ends += [each.place.line for each in broken.finding.related if each.place.file == broken.analysis.file]
     ends += [each.start.line for each in broken.analysis.scopes if each.start is not None and each is not scope]
     count = broken.document.line_count
-    ends += [at for at in range(broken.line, count) if _PROGRAM_END.match(broken.document.line(at))][:1]
+    ends += [at for at in range(broken.line, count) if re.match(_PROGRAM_END, broken.document.line(at))][:1]
     return min((end for end in ends if end > broken.line), default=count)
 
 

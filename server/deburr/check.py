@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterable
 
 from deburr.analysis import Analysis
 from deburr.finding import Finding, Fix, Place
-from deburr.fix import with_fixes
 from deburr.host import Host, NoFiles
 from deburr.inputs import Inputs
 from deburr.ruleset import RuleSet
@@ -30,7 +29,12 @@ def check(
     document = opened(source, dialect, ruleset, host)
     analysis = Analysis(document, ruleset, file, host, tuple(source.notices()), run, inputs, proving)
     findings = analysis.findings()
-    return in_file(list(with_fixes(analysis, findings)) if mend and findings else findings, file, source)
+    if mend and findings:
+        # Only what is wrong pays for what mends it.
+        from deburr.fix import with_fixes
+
+        findings = list(with_fixes(analysis, findings))
+    return in_file(findings, file, source)
 
 
 def opened(source: Source, dialect: Dialect, ruleset: RuleSet, host: Host | None = None) -> Document:

@@ -6,11 +6,10 @@ why it matters, `Source:`, and `Bad:` and `Good:` blocks. Never imports a dialec
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from functools import cached_property
 from importlib import import_module
-from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr.finding import Severity
@@ -184,7 +183,8 @@ class Rule:
     severity: Severity
     trigger: Trigger
     check: Check
-    page: str
+    module: str
+    """The file that it stands in."""
     default: bool
     met: Check | None = None
     """What the rule says of a fault that a run met; None: what the interpreter says."""
@@ -194,10 +194,15 @@ class Rule:
     @property
     def fix(self) -> Callable[[Any], Iterator[Any]] | None:
         """How its faults are mended: the `fix` of the rule's file (deburr/fix.py); None if it has none of its own."""
-        found: Callable[[Any], Iterator[Any]] | None = getattr(sys.modules[self.check.__module__], "fix", None)
+        found: Callable[[Any], Iterator[Any]] | None = getattr(import_module(self.module), "fix", None)
         return found
 
     @property
+    def page(self) -> str:
+        """The manual page: the docstring of the rule's file."""
+        return import_module(self.module).__doc__ or ""
+
+    @cached_property
     def short(self) -> str:
         """The name without its dialect."""
         return self.name.partition(".")[2]
@@ -218,45 +223,14 @@ def rule(
         folder, file = module.split(".")[-2:]
         name = f"{folder}.{file.replace('_', '-')}"
         said = check if isinstance(trigger, Ran) else met
-        return Rule(name, severity, trigger, check, sys.modules[module].__doc__ or "", default, said, input)
+        return Rule(name, severity, trigger, check, module, default, said, input)
 
     return made
-
-
-def rules_of(dialect: str) -> tuple[Rule, ...]:
-    """All rules of a dialect, by name: those of its folder, and the common ones under the dialect's name where it has none of that name."""
-    common = [_renamed(rule, dialect) for rule in _found("deburr.rules.common")]
-    rules = {rule.name: rule for rule in (*common, *_found(f"deburr.rules.{dialect}"))}
-    return tuple(rules[name] for name in sorted(rules))
-
-
-def rule_names(dialect: str) -> tuple[str, ...]:
-    """The names of all rules of a dialect in order, read off the files: no rule is loaded."""
-    modules = {*_modules("deburr.rules.common"), *_modules(f"deburr.rules.{dialect}")}
-    return tuple(sorted(f"{dialect}.{module.replace('_', '-')}" for module in modules))
 
 
 def covers(prefix: str, name: str) -> bool:
     """Whether a name, or the first words of one, means a rule: `cgt.table` covers `cgt.table-missing`, not `cgt.tables`."""
     return name == prefix or name.startswith((f"{prefix}.", f"{prefix}-"))
-
-
-def _found(package: str) -> Iterator[Rule]:
-    for module in _modules(package):
-        values = vars(import_module(f"{package}.{module}")).values()
-        yield from (value for value in values if isinstance(value, Rule))
-
-
-def _modules(package: str) -> Iterator[str]:
-    try:
-        folder = import_module(package)
-    except ModuleNotFoundError:
-        return
-    yield from (module.name for module in iter_modules(folder.__path__) if not module.name.startswith("_"))
-
-
-def _renamed(rule: Rule, dialect: str) -> Rule:
-    return replace(rule, name=f"{dialect}.{rule.short}")
 
 
 def expected(problem: Problem) -> str:

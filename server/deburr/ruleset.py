@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from typing import Any, NamedTuple
 
+from deburr.catalogue import rules_of
 from deburr.finding import Severity
 from deburr.rule import (
     Line,
@@ -21,7 +22,6 @@ from deburr.rule import (
     Text,
     Whole,
     covers,
-    rules_of,
 )
 from deburr.stateful import Stateful, stateful_of
 from deburr_grammar.dialect import Dialect, Reading
@@ -33,7 +33,7 @@ _PLANS = 20_000
 class Searched(NamedTuple):
     """A pattern, and characters with one of which every match starts (none given: anything)."""
 
-    pattern: re.Pattern[str]
+    pattern: str
     signs: str = ""
 
     def lines(self, text: str) -> Iterator[int]:
@@ -52,11 +52,13 @@ class Searched(NamedTuple):
 
     def _starts(self, text: str) -> Iterator[int]:
         if not self.signs:
-            yield from (match.start() for match in self.pattern.finditer(text))
+            yield from (match.start() for match in re.finditer(self.pattern, text, re.M))
         for sign in self.signs:
             at = text.find(sign)
-            while at >= 0:
-                match = self.pattern.match(text, at)
+            # `re` keeps what it has compiled: where there is no sign nothing is.
+            match_at = re.compile(self.pattern, re.M).match if at >= 0 else None
+            while at >= 0 and match_at is not None:
+                match = match_at(text, at)
                 if match is not None:
                     yield at
                 at = text.find(sign, at + 1 if match is None else max(match.end(), at + 1))
@@ -147,9 +149,7 @@ class RuleSet:
         """Rules on the text of lines, with what is searched for."""
         triggers = ((rule, rule.trigger) for rule in self.rules)
         return tuple(
-            (rule, Searched(re.compile(trigger.pattern, re.M), trigger.signs))
-            for rule, trigger in triggers
-            if isinstance(trigger, Text)
+            (rule, Searched(trigger.pattern, trigger.signs)) for rule, trigger in triggers if isinstance(trigger, Text)
         )
 
     @cached_property

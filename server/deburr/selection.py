@@ -3,7 +3,8 @@
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from deburr.rule import Rule, covers, rule_names
+from deburr.catalogue import rule_names
+from deburr.rule import Rule, covers
 from deburr.suggest import suggestion
 from deburr_grammar.dialects import NAMES
 

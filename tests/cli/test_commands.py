@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from deburr import __version__
+from deburr.catalogue import rule_names, rules_of
 from deburr.cli.main import COMMANDS
 from deburr.dev.generate import SCHEMA, generated, schema
-from deburr.rule import rule_names, rules_of
 from deburr_grammar.dialects import NAMES
 
 CLEAN = "G21 G90 G17\nG0 X1\nF100\nM2\n"

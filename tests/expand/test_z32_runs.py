@@ -4,9 +4,9 @@ import tracemalloc
 
 import pytest
 
+from deburr.catalogue import rules_of
 from deburr.expand import Budget, Inputs, Job, Program, drive
 from deburr.expand.z32.state import DEEPEST, WAITING
-from deburr.rule import rules_of
 from deburr_grammar.document import Document
 from support.pages import MemoryHost
 from support.z32 import DIALECT, MAIN, RULES, checked, expanded, flat, met

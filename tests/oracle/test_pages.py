@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from deburr.catalogue import rules_of
 from deburr.finding import Severity
-from deburr.rule import rules_of
 from deburr_grammar.dialects import by_name
 from support.oracle import judged
 from support.pages import Example, checked, examples

@@ -9,11 +9,12 @@ import pytest
 
 from deburr import source
 from deburr.analysis import Analysis
+from deburr.catalogue import rules_of
 from deburr.check import opened
 from deburr.expand import Budget, Program, expand, interpreter
 from deburr.finding import Finding
 from deburr.fix import Fix, applied, cures, fixes_of
-from deburr.rule import Rule, rules_of
+from deburr.rule import Rule
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import NAMES, by_name
 from support.pages import Example, MemoryHost, checked, examples

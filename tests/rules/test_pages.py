@@ -5,7 +5,8 @@ import re
 import pytest
 
 from deburr.analysis import Analysis
-from deburr.rule import Ran, Rule, rules_of
+from deburr.catalogue import rules_of
+from deburr.rule import Ran, Rule
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.document import Document

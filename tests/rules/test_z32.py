@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from deburr.analysis import Analysis
+from deburr.catalogue import rules_of
 from deburr.finding import Severity
-from deburr.rule import rules_of
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, TextIO
 
 from deburr import paths
 from deburr.cli import reporters
-from deburr.cli.common import add_config, add_dialect, complain, unable
+from deburr.cli.common import Help, add_config, add_dialect, complain, unable
 from deburr.cli.files import STDIN, Target, targets
 from deburr.cli.inputs import add_inputs, inputs_of, settings
 from deburr.cli.main import UNABLE
@@ -35,7 +35,10 @@ class Output(NamedTuple):
 def parser() -> argparse.ArgumentParser:
     """The command's options."""
     found = argparse.ArgumentParser(
-        prog="deburr check", description="Lint files, folders or standard input.", allow_abbrev=False
+        prog="deburr check",
+        description="Lint files, folders or standard input.",
+        formatter_class=Help,
+        allow_abbrev=False,
     )
     found.add_argument(
         "paths",

@@ -1,12 +1,33 @@
 """What several commands share: options, and messages on stderr."""
 
 import argparse
+import os
 import sys
 from collections.abc import Iterable
+from functools import cache
 
 from deburr.cli.main import UNABLE
 from deburr.suggest import suggestion
 from deburr_grammar.dialects import NAMES
+
+
+class Help(argparse.HelpFormatter):
+    """Lays out help for the terminal there is. argparse's own loads four compressors to ask how wide it is, once for each option."""
+
+    def __init__(self, prog: str) -> None:
+        super().__init__(prog, width=_width())
+
+
+@cache
+def _width() -> int:
+    try:
+        return int(os.environ.get("COLUMNS", "")) - 2
+    except ValueError:
+        pass
+    try:
+        return os.get_terminal_size(sys.stdout.fileno()).columns - 2
+    except (AttributeError, OSError, ValueError):
+        return 78
 
 
 def add_dialect(parser: argparse.ArgumentParser) -> None:

@@ -52,7 +52,7 @@ class Result:
 
     def statistics(self) -> list[Row]:
         """How often each rule spoke: the most frequent first."""
-        from deburr.rule import rules_of
+        from deburr.catalogue import rules_of
 
         counts = Counter((finding.rule, finding.severity) for finding, _ in self.findings())
         dialects = {dialect for _, dialect in self.findings()}

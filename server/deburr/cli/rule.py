@@ -4,9 +4,10 @@ import argparse
 from collections.abc import Iterator
 from typing import Any
 
+from deburr.catalogue import rule_names, rules_of
 from deburr.cli.common import unable
 from deburr.page import kind, markdown, mending, page_of, title
-from deburr.rule import Rule, covers, rule_names, rules_of
+from deburr.rule import Rule, covers
 from deburr.selection import unknown
 from deburr_grammar.dialects import NAMES, by_name
 

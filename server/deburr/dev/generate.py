@@ -8,10 +8,10 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from deburr.catalogue import loaded, row, rule_names, rules_of
 from deburr.dev import filetypes
 from deburr.dev.manifest import FOLDER, files_for_vscode
 from deburr.page import kind, markdown
-from deburr.rule import rule_names, rules_of
 from deburr.schema import LEVELS, TOP, WIDEST, Free, tables
 from deburr_grammar.dialect import Kind, Setting
 from deburr_grammar.dialects import NAMES, by_name
@@ -28,10 +28,20 @@ def generated(root: Path) -> dict[str, str]:
     return {
         f"{PAGES}/README.md": index(),
         **found,
+        **{f"server/deburr/rules/{folder}/_index.py": rule_index(folder) for folder in ("common", *NAMES)},
         SCHEMA: json.dumps(known, indent=2) + "\n",
         **filetypes.files(),
         **files_for_vscode(manifest, known),
     }
+
+
+def rule_index(folder: str) -> str:
+    """What is known of the rules of a folder without loading them."""
+    rows = [f"    {tuple(row(rule))!r}," for rule in loaded(f"deburr.rules.{folder}")]
+    said = '"""What decides whether the rules beside it are asked (deburr/catalogue.py). Written by `python -m deburr.dev.generate`."""'
+    return "\n".join(
+        [said, "", "from typing import Any", "", "# fmt: off", "ROWS: tuple[tuple[Any, ...], ...] = (", *rows, ")", ""]
+    )
 
 
 def stale(root: Path) -> list[str]:

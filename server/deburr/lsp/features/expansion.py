@@ -8,6 +8,7 @@ from urllib.parse import unquote
 from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
 
+from deburr.catalogue import rules_of
 from deburr.detect import detect
 from deburr.lsp.capabilities import COMMANDS, EXPANDED, PAGES
 from deburr.lsp.convert import uri_to_file
@@ -16,7 +17,6 @@ from deburr.lsp.report import Json, diagnostics
 from deburr.lsp.server import Server, feature
 from deburr.lsp.settings import paths_to
 from deburr.page import markdown
-from deburr.rule import rules_of
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.text import split_lines
 

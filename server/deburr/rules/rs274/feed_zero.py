@@ -25,7 +25,6 @@ Good:
     G1 X2 F100
 """
 
-import re
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
@@ -37,7 +36,7 @@ from deburr_grammar.dialects.rs274.modality import AXES, FEEDS
 from deburr_grammar.document import Piece
 from deburr_grammar.text import Span, with_newlines
 
-_ZERO = Searched(re.compile(r"[Ff][ \t]*[+-]?[ \t]*[0.][0. \t]*(?![0-9.])"), "Ff")
+_ZERO = Searched(r"[Ff][ \t]*[+-]?[ \t]*[0.][0. \t]*(?![0-9.])", "Ff")
 _FARTHEST = 1_000
 """Lines within which the move is looked for."""
 

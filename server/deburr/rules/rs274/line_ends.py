@@ -40,7 +40,7 @@ from deburr_grammar.text import Edit, Pos, Span
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
-_JOINED = re.compile(r"\S[^\S\r\n]*\r[^\S\n]*\S")
+_JOINED = r"\S[^\S\r\n]*\r[^\S\n]*\S"
 
 
 @rule(Severity.ERROR, Whole())
@@ -61,13 +61,13 @@ def _joined(piece: Piece, following: Piece | None) -> int | None:
     """Where in a chunk something stands before a carriage return that something follows."""
     chunk = piece.chunk
     if "joined lines" not in chunk.memo:
-        match = _JOINED.search(chunk.text) if "\r" in chunk.text else None
+        match = re.search(_JOINED, chunk.text) if "\r" in chunk.text else None
         chunk.memo["joined lines"] = match.start() if match else None
     found: int | None = chunk.memo["joined lines"]
     if found is not None or following is None or not chunk.text.endswith("\r"):
         return found
     last = chunk.starts[-2]
-    match = _JOINED.search(chunk.text[last:] + following.chunk.text)
+    match = re.search(_JOINED, chunk.text[last:] + following.chunk.text)
     return last + match.start() if match and match.start() < len(chunk.text) - last else None
 
 

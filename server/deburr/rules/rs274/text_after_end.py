@@ -60,7 +60,7 @@ from deburr_grammar.text import Edit, Pos, Span
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
-_NOTHING = re.compile(r"\s*(?:\([^()]*\)\s*)*(?:;.*|%.*)?")
+_NOTHING = r"\s*(?:\([^()]*\)\s*)*(?:;.*|%.*)?"
 
 
 @rule(Severity.INFO, Whole())
@@ -90,7 +90,7 @@ def _stretches(analysis: "Analysis", piece: Piece) -> tuple[tuple[bool, int | No
 
 
 def _first(first: int, shapes: list[Shape]) -> int | None:
-    return next((at for at, shape in enumerate(shapes, first) if not _NOTHING.fullmatch(shape.text)), None)
+    return next((at for at, shape in enumerate(shapes, first) if not re.fullmatch(_NOTHING, shape.text)), None)
 
 
 def fix(broken: Broken) -> Iterator[Fix]:
