@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from deburr_grammar.problem import Problem
 from deburr_grammar.tree import Node, moved, walk
@@ -90,9 +90,20 @@ def _parse(dialect: Dialect, reading: Reading, text: str) -> Parsed:
     return dialect.grammar.parse(reading.start, text)
 
 
+class _Nodes(NamedTuple):
+    """The nodes of a shape in reading order, and those of each kind."""
+
+    all: tuple[Node, ...]
+    by_kind: dict[str, list[Node]]
+
+
 @lru_cache(maxsize=8192)
-def _nodes(dialect: Dialect, reading: Reading, text: str) -> tuple[Node, ...]:
-    return tuple(part for part in walk(_parse(dialect, reading, text).tree) if isinstance(part, Node))
+def _nodes(dialect: Dialect, reading: Reading, text: str) -> _Nodes:
+    nodes = tuple(part for part in walk(_parse(dialect, reading, text).tree) if isinstance(part, Node))
+    by_kind: dict[str, list[Node]] = {}
+    for node in nodes:
+        by_kind.setdefault(node.kind, []).append(node)
+    return _Nodes(nodes, by_kind)
 
 
 @lru_cache(maxsize=4096)
@@ -177,8 +188,10 @@ class LineNode:
         """All nodes of the given kinds, in reading order."""
         if self.kinds.isdisjoint(kinds):
             return iter(())
-        nodes = _nodes(self.dialect, self.reading, self.shape.text)
-        return (self._moved(node) for node in nodes if node.kind in kinds)
+        found = _nodes(self.dialect, self.reading, self.shape.text)
+        if len(kinds) == 1:
+            return map(self._moved, found.by_kind.get(kinds[0], ()))
+        return (self._moved(node) for node in found.all if node.kind in kinds)
 
     def _moved(self, node: Node) -> Node:
         """A part of the shape's tree in columns of the line."""

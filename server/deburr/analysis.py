@@ -164,8 +164,8 @@ class Analysis:
 
     def _planned(self, piece: Piece) -> Iterator[Said]:
         plan = self.ruleset.plan
-        for index, reading, shape in piece.where(lambda reading, shape: plan(shape, reading)):
-            for rule, report in self.ruleset.on_line(piece.node(index), plan(shape, reading)):
+        for index, _, _ in piece.where(lambda reading, shape: plan(shape, reading)):
+            for rule, report in self.ruleset.said(piece, index):
                 yield Said(index, rule, report)
 
     def _texts(self, piece: Piece) -> Iterator[Said]:

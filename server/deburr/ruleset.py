@@ -25,9 +25,12 @@ from deburr.rule import (
 )
 from deburr.stateful import Stateful, stateful_of
 from deburr_grammar.dialect import Dialect, Reading
+from deburr_grammar.document import Piece
 from deburr_grammar.line import LineNode, Shape
 
 _PLANS = 20_000
+_LINES = 20_000
+"""How many are kept; whoever has more forgets all."""
 
 
 class Searched(NamedTuple):
@@ -80,6 +83,7 @@ class RuleSet:
         self._all = rules_of(dialect.name)
         self.rules = tuple(rule for rule in self._all if selected(rule))
         self._severities = dict(severities or {})
+        self._said: dict[tuple[str, str], tuple[tuple[Rule, Report], ...]] = {}
         self._plans: dict[tuple[Shape, str], tuple[Rule, ...]] = {}
 
     def severity(self, rule: Rule, said: Severity | None = None) -> Severity:
@@ -125,6 +129,17 @@ class RuleSet:
             line = Line(sample, self.settings)
             return any(where(line, part) for part in sample.find(*rule.trigger.kinds))
         return not rule.trigger.by_shape or any(self.on_line(sample, (rule,)))
+
+    def said(self, piece: Piece, index: int) -> tuple[tuple[Rule, Report], ...]:
+        """What the planned rules say of a line of a chunk. It hangs on its text alone, and many lines are written more than once."""
+        key = (piece.chunk.line(index), piece.outlined.reading(index).name)
+        said = self._said.get(key)
+        if said is None:
+            if len(self._said) >= _LINES:
+                self._said.clear()
+            node = piece.node(index)
+            said = self._said[key] = tuple(self.on_line(node, self.plan(node.shape, node.reading)))
+        return said
 
     def on_line(self, node: LineNode, plan: tuple[Rule, ...], ending: str = "") -> Iterator[tuple[Rule, Report]]:
         """What the planned rules say of a line."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from enum import Enum
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 from deburr.rule import Line
@@ -74,23 +75,32 @@ def held(document: Document, settings: Mapping[str, Any]) -> Held:
     """What is in the whole program."""
     found = Held([], [], [], [], [])
     for piece in document.pieces():
-        part = _of_piece(document, piece, settings)
-        at = piece.line
-        found.uses.extend(use._replace(line=use.line + at) for use in part.uses)
-        found.calls.extend(call._replace(line=call.line + at) for call in part.calls)
-        found.ends.extend(line + at for line in part.ends)
-        found.percents.extend(line + at for line in part.percents)
-        found.bare.extend((line + at, label) for line, label in part.bare)
+        for line, part in _of_piece(document, piece, settings["compare"]):
+            at = piece.line + line
+            found.uses.extend([use._replace(line=at) for use in part.uses])
+            found.calls.extend([call._replace(line=at) for call in part.calls])
+            found.ends.extend([at] * len(part.ends))
+            found.percents.extend([at] * len(part.percents))
+            found.bare.extend([(at, label) for _, label in part.bare])
     return found
 
 
-def _of_piece(document: Document, piece: Piece, settings: Mapping[str, Any]) -> Held:
-    key = ("rs274 held", document.key(piece), settings["compare"])
-    found: Held | None = piece.chunk.memo.get(key)
+def _of_piece(document: Document, piece: Piece, compare: str) -> list[tuple[int, Held]]:
+    """What the lines of a chunk hold that hold anything; kept with the chunk."""
+    key = ("rs274 held", document.key(piece), compare)
+    found: list[tuple[int, Held]] | None = piece.chunk.memo.get(key)
     if found is None:
-        found = piece.chunk.memo[key] = Held([], [], [], [], [])
-        for at, _, _ in piece.where(_says):
-            _take(found, at, Line(piece.node(at), settings))
+        found = piece.chunk.memo[key] = [
+            (at, _of_line(piece.chunk.line(at), reading, shape, compare)) for at, reading, shape in piece.where(_says)
+        ]
+    return found
+
+
+@lru_cache(maxsize=32_768)
+def _of_line(text: str, reading: Reading, shape: Shape, compare: str) -> Held:
+    """What a line holds, as line 0. Many lines of a program are written more than once."""
+    found = Held([], [], [], [], [])
+    _take(found, 0, Line(LineNode(text, reading, shape), {"compare": compare}))
     return found
 
 
