@@ -127,6 +127,9 @@ def test_what_check_does_not_load(shell):
     assert "deburr.rules.rs274.divide_by_zero" in loaded
     assert not loaded & NEVER
     assert "deburr.values.graph" not in loaded, "a program without variables has no values to prove"
+    assert not loaded & {f"deburr.rules.rs274.{each}" for each in ("comment_nested", "abort", "o_extra_text")}, (
+        "the files of rules of which nothing is in the program stay unread"
+    )
     assert not {
         name for name in loaded if name.startswith(("deburr.rules.z32", "deburr.rules.cgt", "deburr.rules.metagcode"))
     }
