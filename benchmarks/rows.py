@@ -108,12 +108,17 @@ def opening(files: Files, sizes: Sizes) -> Iterator[Row]:
 def throughput(files: Files, sizes: Sizes) -> Iterator[Row]:
     """Megabytes a second over the CAM program, beside the interpreter."""
     size = Path(files.cam).stat().st_size / MB
-    run = isolated(theirs.interpreter, files.cam)
-    for work, what, least in ((ours.open_syntax, "syntax and structure", 20.0), (ours.open_all, "all rules", 5.0)):
+    run = min(isolated(theirs.interpreter, files.cam) or 0 for _ in range(sizes.repeats))
+    for work, what, least, times in (
+        (ours.open_syntax, "syntax and structure", 20.0, 0.0),
+        (ours.open_all, "all rules", 5.0, 2.0),
+    ):
         taken = min(isolated(work, files.cam) for _ in range(sizes.repeats))
         speed = size / taken
         other, ratio = (f"{size / run:.1f} MB/s (`rs274 -g`)", _ratio(run, taken)) if run else ("", "")
-        yield Row(f"check, {what}", f"{speed:.1f} MB/s", other, ratio, f"≥ {least:g} MB/s", speed >= least)
+        budget = f"≥ {least:g} MB/s" + (f", ≥ {times:g} ×" if times else "")
+        holds = speed >= least and (not run or run >= times * taken)
+        yield Row(f"check, {what}", f"{speed:.1f} MB/s", other, ratio, budget, holds)
 
 
 def typing(files: Files, sizes: Sizes) -> Iterator[Row]:
