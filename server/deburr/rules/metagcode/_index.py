@@ -18,6 +18,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('file_name_empty', 3, True, False, False, 'Nodes', {'kinds': ('file',), 'by_shape': True}, False),
     ('file_outside', 3, True, False, False, 'Nodes', {'kinds': ('file',), 'by_shape': True}, False),
     ('file_variable', 3, True, False, False, 'Nodes', {'kinds': ('file',), 'by_shape': True}, False),
+    ('if_contradiction', 2, True, False, False, 'Proven', {}, False),
     ('if_operator', 3, True, False, False, 'Nodes', {'kinds': ('condition',), 'by_shape': True}, False),
     ('if_syntax', 3, True, False, False, 'Nodes', {'kinds': ('if', 'endif'), 'by_shape': True}, False),
     ('if_type', 3, True, False, False, 'Nodes', {'kinds': ('condition',), 'by_shape': True}, False),
