@@ -11,28 +11,14 @@ from dataclasses import replace
 from functools import cached_property
 from importlib import import_module
 from pkgutil import iter_modules
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 from deburr.finding import Severity
-from deburr.rule import (
-    Long,
-    Modal,
-    Nodes,
-    Noticed,
-    Ran,
-    Report,
-    Rule,
-    Structure,
-    Syntax,
-    Text,
-    Trigger,
-    Whole,
-)
+from deburr.rule import Modal, Nodes, Report, Rule, Structure, Trigger
 from deburr_grammar.structure import Fault
 
 COMMON = "deburr.rules.common"
-_TRIGGERS: tuple[type[Trigger], ...] = (Syntax, Nodes, Modal, Text, Long, Structure, Whole, Noticed, Ran)
-_BY_NAME = {each.__name__: each for each in _TRIGGERS}
+_BY_NAME: dict[str, Any] = {each.__name__: each for each in get_args(Trigger)}
 
 
 class Row(NamedTuple):
