@@ -75,6 +75,8 @@ SILENT = {
     "a division that is never reached": "#3=0\no1 if [#3 GT 0]\nG0 X[5/#3]\no1 endif\n",
     "a line that the operator may leave out": "#3=5\n/#3=0\nG0 X[5/#3]\n",
     "a name for which EXISTS asks": "o1 if [EXISTS[#<b>]]\n#<c>=1\no1 endif\n#<b>=2\n",
+    "what is read where EXISTS holds": "o<s> sub\no2 if [EXISTS[#<a>]]\nG0 X#<a>\no2 endif\n#<a>=2\no<s> endsub\no<s> call\no<s> call\n",
+    "what EXISTS found, kept in a parameter": "o<s> sub\n#<h>=EXISTS[#<a>]\no2 if [#<h> EQ 1]\nG0 X#<a>\no2 endif\no<s> endsub\no<s> call\n",
     "what a file of stored parameters may hold": "G0 X[5/#100]\n",
     "an argument of one call of two": "o<s> sub\nG0 X[5/#1]\no<s> endsub\no1 if [#5420 GT 0]\no<s> call [0]\no1 endif\no<s> call [1]\n",
 }  # fmt: skip

@@ -148,10 +148,18 @@ class Expressions:
         return found
 
     def _exists(self, part: Node) -> Get:
+        """Whether a name is set; 0 where it is set on no way to this place, so that what hangs on it is never reached."""
         param = part.children[2]
-        if isinstance(param, Node) and param.kind == "param" and (name := self.name(param)) is not None:
-            self.used.add(name)
-        return lambda env: EITHER
+        name = self.name(param) if isinstance(param, Node) and param.kind == "param" else None
+        if name is None or name in self._begun or self._predefined(name):
+            return lambda env: EITHER
+        self.used.add(name)
+
+        def found(env: Env) -> Value:
+            value = env.get(name, ANY)
+            return exactly(0.0) if value.unset and value.empty and not value.wild else EITHER
+
+        return found
 
     def _read(self, param: Node) -> Get:
         name = self.name(param)
