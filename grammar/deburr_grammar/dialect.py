@@ -9,16 +9,18 @@ from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
+from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from deburr_grammar.codes import CodeTable
 from deburr_grammar.grammar import Grammar
-from deburr_grammar.layout import UNTOUCHED, Layout
 from deburr_grammar.problem import Problem, SyntaxFault
 from deburr_grammar.shape import Folding
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
+    from deburr_grammar.layout import Layout
     from deburr_grammar.line import LineNode
 
 
@@ -168,8 +170,6 @@ class Dialect:
     """Characters that may stand between words; all else of a line is in its tree."""
     modality: Modality | None = None
     """None: modal state is not followed."""
-    layout: Layout = UNTOUCHED
-    """What a formatter may do with its lines."""
     given: Callable[[Mapping[str, Any], Callable[[str], str | None]], frozenset[str]] = lambda settings, read: (
         frozenset()
     )
@@ -189,6 +189,16 @@ class Dialect:
     def codes(self) -> CodeTable:
         """The tables."""
         return CodeTable(self.package)
+
+    @cached_property
+    def layout(self) -> "Layout":
+        """What a formatter may do with its lines: `layout.py` of its folder; without one no line is touched. Only formatting loads it."""
+        from deburr_grammar.layout import UNTOUCHED
+
+        if find_spec(f"{self.package}.layout") is None:
+            return UNTOUCHED
+        found: Layout = import_module(f"{self.package}.layout").LAYOUT
+        return found
 
     def expected(self, terminals: Iterable[str]) -> tuple[str, ...]:
         """An expected set in the user's words, each once, in the order of ``words``."""

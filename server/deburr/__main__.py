@@ -1,8 +1,6 @@
 """`python -m deburr`."""
 
-import sys
-
-from deburr.cli.main import main
+from deburr.cli.main import run
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run()

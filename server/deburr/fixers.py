@@ -9,10 +9,11 @@ from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr_grammar.text import Edit, Pos
 
-_MEANT = re.compile(r"did you mean [`']([^`']+)[`']\?")
-_ADVISED = re.compile(r"(?:did you mean|write|written|type) `([^`]+)`(?! (?:for|to|or|and|beside|before|on|as)\b)")
-_BEFORE = re.compile(r"write `([^`]+)` before it")
-_AROUND = re.compile(r"(\|[ \t]*|#<|o<|#|@|')(.*?)([ \t]*\||>|'|)")
+# Texts, not patterns: rules are loaded with their fixers by every check, and few need one.
+_MEANT = r"did you mean [`']([^`']+)[`']\?"
+_ADVISED = r"(?:did you mean|write|written|type) `([^`]+)`(?! (?:for|to|or|and|beside|before|on|as)\b)"
+_BEFORE = r"write `([^`]+)` before it"
+_AROUND = r"(\|[ \t]*|#<|o<|#|@|')(.*?)([ \t]*\||>|'|)"
 """Signs around a name, which a proposal may leave out."""
 Fixer = Callable[[Broken], Iterator[Fix]]
 
@@ -27,12 +28,12 @@ def advised(broken: Broken) -> Iterator[Fix]:
     yield from _proposed(broken, _ADVISED)
 
 
-def _proposed(broken: Broken, pattern: re.Pattern[str]) -> Iterator[Fix]:
-    proposal = pattern.search(broken.finding.message)
+def _proposed(broken: Broken, pattern: str) -> Iterator[Fix]:
+    proposal = re.search(pattern, broken.finding.message)
     if proposal is None or not broken.quoted:
         return
     old, new = broken.quoted[0], proposal[1]
-    around = _AROUND.fullmatch(old)
+    around = re.fullmatch(_AROUND, old)
     if around is not None and not new.startswith(around[1].rstrip()):
         new = f"{around[1]}{new}{around[3]}" if old.lower() in broken.said.lower() else new
         old = old if old.lower() in broken.said.lower() else around[2]
@@ -93,7 +94,7 @@ def blanks_left_out(broken: Broken, before: str) -> Iterator[Fix]:
 
 def line_before(broken: Broken) -> Iterator[Fix]:
     """A line before the fault's: write `X` before it."""
-    wanted = _BEFORE.search(broken.finding.message)
+    wanted = re.search(_BEFORE, broken.finding.message)
     if wanted is not None:
         yield Fix(f"Write `{wanted[1]}` before it", (broken.edit(0, 0, f"{broken.indent}{wanted[1]}\n"),))
 
@@ -126,12 +127,12 @@ def either(*fixers: Fixer) -> Fixer:
     return fixer
 
 
-_VALUE = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+|#[0-9]+|#<[^<>]+>|[A-Z]+(?![A-Z(])))", re.I)
+_VALUE = r"(?i)\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+|#[0-9]+|#<[^<>]+>|[A-Z]+(?![A-Z(])))"
 
 
 def bracketed(broken: Broken, signs: str) -> Iterator[Fix]:
     """The value behind the fault in brackets."""
-    value = _VALUE.match(broken.text, broken.span.end)
+    value = re.compile(_VALUE).match(broken.text, broken.span.end)
     if value is not None:
         text = f"{signs[0]}{value[1]}{signs[1]}"
         yield Fix(f"Write `{broken.said}{text}`", (broken.edit(*value.span(), text),))

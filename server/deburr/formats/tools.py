@@ -9,8 +9,8 @@ from typing import NamedTuple
 from deburr.formats import Fault
 from deburr_grammar.text import Span, split_lines
 
-_WORD = re.compile(r"([TPDXYZABCUVWIJQ])\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))", re.I)
-_LINE = re.compile(rf"\s*(?:{_WORD.pattern}\s*)+", re.I)
+_WORD = r"([TPDXYZABCUVWIJQ])\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))"
+_LINE = rf"\s*(?:{_WORD}\s*)+"
 
 
 class Tools(NamedTuple):
@@ -27,8 +27,8 @@ def read(text: str) -> Tools:
         said = line.partition(";")[0]
         if not said.strip():
             continue
-        words = {letter.upper(): float(value) for letter, value in _WORD.findall(said)}
-        if _LINE.fullmatch(said) and "T" in words:
+        words = {letter.upper(): float(value) for letter, value in re.findall(_WORD, said, re.I)}
+        if re.fullmatch(_LINE, said, re.I) and "T" in words:
             found[round(words["T"])] = words
         else:
             message = f"`{said.strip()[:40]}` is no tool: write `T1 P1 Z25.4 D6.35 ;name`"

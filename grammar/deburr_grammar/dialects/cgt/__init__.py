@@ -1,7 +1,6 @@
 """SmartCAM code generator templates: `spec/cgt.md`."""
 
 from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting
-from deburr_grammar.dialects.cgt.layout import LAYOUT
 from deburr_grammar.dialects.cgt.machine import table_words
 from deburr_grammar.dialects.cgt.outline import READINGS, CGTOutline
 from deburr_grammar.dialects.cgt.problems import WORDS, diagnose
@@ -44,7 +43,6 @@ DIALECT = Dialect(
         signs="/",
     ),
     outline=CGTOutline(),
-    layout=LAYOUT,
     diagnose=diagnose,
     given=table_words,
     words=WORDS,

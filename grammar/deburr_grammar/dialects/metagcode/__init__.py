@@ -1,7 +1,6 @@
 """MetaGCODE, the templates of ConvCAM: G-code with `|variables|`, `#IF`, `#LOOP` and `#FILE` (`spec/metagcode.md`)."""
 
 from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting
-from deburr_grammar.dialects.metagcode.layout import LAYOUT
 from deburr_grammar.dialects.metagcode.outline import READINGS, MetaGCodeOutline
 from deburr_grammar.dialects.metagcode.problems import WORDS, diagnose
 from deburr_grammar.shape import Folding
@@ -15,7 +14,6 @@ DIALECT = Dialect(
     # No comment is inert: on a directive line `(a b)` is two values, and elsewhere `(PART |No|)` is filled in.
     folding=Folding(),
     outline=MetaGCodeOutline(),
-    layout=LAYOUT,
     diagnose=diagnose,
     words=WORDS,
     comments=(("(", ")"), (";", "")),

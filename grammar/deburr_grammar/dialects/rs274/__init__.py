@@ -1,7 +1,6 @@
 """RS274/NGC with parameters, expressions and O-words (SmithyCNC, EMC2, LinuxCNC): `spec/rs274.md`."""
 
 from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting
-from deburr_grammar.dialects.rs274.layout import LAYOUT
 from deburr_grammar.dialects.rs274.modality import MODALITY, remapped
 from deburr_grammar.dialects.rs274.outline import READINGS, RS274Outline
 from deburr_grammar.dialects.rs274.problems import WORDS, diagnose
@@ -26,7 +25,6 @@ DIALECT = Dialect(
     diagnose=diagnose,
     words=WORDS,
     comments=(("(", ")"), (";", "")),
-    layout=LAYOUT,
     modality=MODALITY,
     frame="G21 G90 G17\n{}\nF100\nM2\n",
     evidence=(

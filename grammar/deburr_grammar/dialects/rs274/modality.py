@@ -1,7 +1,7 @@
 """What an RS274 line does to modal state (spec/rs274.md §1.3, §5, §6). Looks at letters and at literal G and M numbers only."""
 
 import re
-from math import floor
+from math import floor, isfinite
 
 from deburr_grammar.codes import code_number
 from deburr_grammar.dialect import Effect, Modality
@@ -70,7 +70,8 @@ def code_of(text: str) -> str:
 
 def _is_named(line: LineNode, code: str) -> bool:
     table = line.dialect.codes
-    return table.entry("code", code) is not None or table.family("code", int(float(code[1:]))) is not None
+    number = float(code[1:])
+    return table.entry("code", code) is not None or (isfinite(number) and table.family("code", int(number)) is not None)
 
 
 def _codes(line: LineNode) -> list[str]:

@@ -4,7 +4,6 @@ import re
 from typing import Any
 
 from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting
-from deburr_grammar.dialects.z32.layout import LAYOUT
 from deburr_grammar.dialects.z32.outline import READINGS, Z32Outline
 from deburr_grammar.dialects.z32.problems import WORDS, diagnose
 from deburr_grammar.shape import Folding
@@ -42,7 +41,6 @@ DIALECT = Dialect(
         signs="(;",
     ),
     outline=Z32Outline(),
-    layout=LAYOUT,
     diagnose=diagnose,
     words=WORDS,
     comments=(("(", ")"), (";", "")),
