@@ -223,6 +223,26 @@ def test_faults_of_the_interpreter_are_named_and_not_imitated(expected: str) -> 
     assert found.lines[-1] == "M2"
 
 
+IN_THE_CALLER = {
+    "o#<n> call [5]": ["G0 X5"],
+    "o[#<n>] call [#<n>]": ["G0 X100"],
+    "M98 P#<n>": ["G0 X7"],
+    "M98 P[#<n>] L[#<n>/50]": ["G0 X7", "G0 X7"],
+}
+"""Calls whose label or number the caller's own name tells, and what they run."""
+
+
+@pytest.mark.parametrize("call", IN_THE_CALLER)
+def test_whom_a_call_means_is_read_before_it_is_active(call: str) -> None:
+    numbered = call.startswith("M98")
+    callee = "o100\nG0 X7\nM99\n" if numbered else "o100 sub\nG0 X#1\no100 endsub\n"
+    inside = f"o200 sub\n#<n>=100\n{call}\no200 endsub\no200 call\nM2\n{callee if numbered else ''}"
+    outside = f"#<n>=100\n{call}\nM2\n{callee if numbered else ''}"
+    for program in (outside, inside) if numbered else (callee + outside, callee + inside):
+        found = expansion(program)
+        assert (found.faults, found.lines) == ((), [*IN_THE_CALLER[call], "M2"])
+
+
 FILES = {
     "lib.ngc": "o<lib> sub\nG1 X[1/#1] F100\no<lib> endsub\n",
     "bad.ngc": "o<bad> sub\nG0 X1 X2\no<bad> endsub\n",

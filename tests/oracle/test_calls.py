@@ -38,6 +38,8 @@ CASES: dict[str, tuple[str, dict[str, str]]] = {
     "sub behind M2 that was passed over": ("o6 call\nM2\no5 sub\no5 endsub\no6 sub\no5 call\no6 endsub\n", {}),
     "sub behind M2 that stands further down": ("o6 call\nM2\no6 sub\no5 call\no6 endsub\no5 sub\no5 endsub\n", {}),
     "sub behind M2 calls one before it": ("o5 sub\no5 endsub\no6 call\nM2\no6 sub\no5 call\no6 endsub\n", {}),
+    "label by a name of the caller": ("o100 sub\nG0 X#1\no100 endsub\n#<n>=100\no#<n> call [5]\no[#<n>] call [6]\nM2\n", {}),
+    "number by a name of the caller": ("#<n>=100\nM98 P#<n>\nM2\no100\nG0 X7\nM99\n", {}),
     "call above the definition": ("o1 call\no1 sub\no1 endsub\nM2\n", {}),
     "call above the definition, skipped": ("o2 if [0]\no1 call\no2 endif\no1 sub\no1 endsub\nM2\n", {}),
     "call in a call above the definition": ("o1 sub\no2 call\no1 endsub\no1 call\no2 sub\no2 endsub\nM2\n", {}),

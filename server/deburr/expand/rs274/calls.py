@@ -77,9 +77,10 @@ class Calls:
         rest = [0.0] * (ARGUMENTS - len(arguments))
 
         def called() -> int:
-            values = [get() for get in arguments]
+            # The caller's names are gone once the call is active.
+            name, values = label(), [get() for get in arguments]
             self._activate(unit, row, span, len(values))
-            target, start = self._found(label(), unit, row, span)
+            target, start = self._found(name, unit, row, span)
             state.params[1 : ARGUMENTS + 1] = values + rest
             self._run.unit, self._run.row = target, start + 1
             return ELSEWHERE
@@ -97,13 +98,13 @@ class Calls:
         def called() -> int:
             if program is None:
                 raise state.fault("word-missing", unit.file, row, span, "`M98` calls nothing without a P word")
-            count = times() if times is not None else 1
+            number, count = program(), times() if times is not None else 1
             if count == 0:
                 message = "this calls nothing; the installed interpreter enters a call all the same and never leaves it: local names are gone from here on"
                 state.warn("m98-zero", unit.file, row, span, message)
                 return row + 1
             self._activate(unit, row, span, 0)
-            target, start = self._numbered(str(program()), unit, row, span)
+            target, start = self._numbered(str(number), unit, row, span)
             state.calls[-1].again = (target, start, max(count, 1) - 1)
             self._run.unit, self._run.row = target, start + 1
             return ELSEWHERE
