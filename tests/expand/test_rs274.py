@@ -156,6 +156,31 @@ def test_a_chain_of_incremental_moves_ends_where_it_should(
     )
 
 
+DIGITS = {
+    "an arc in R form": (
+        "G0 X#1\nG2 X1 R#1\nF#1",
+        ["G0 X0.3333333333333333", "G2 X1 R0.3333333333333333", "F0.333333"],
+    ),
+    "its code on a line above": ("G2 I1\nX.5 R#1\nG4 P#1", ["G2 I1", "X.5 R0.3333333333333333", "G4 P0.333333"]),
+    "its code is computed": ("G#3 X.5 R#1", ["G2 X.5 R0.3333333333333333"]),
+    "other arcs": ("G0 X#1\nG2 X1 I#1", ["G0 X0.333333", "G2 X1 I0.333333"]),
+    "cycles beside other arcs": (
+        "G2 X[#1*2] I#1\nG81 X#1 Z-1 R#1",
+        ["G2 X0.666667 I0.333333", "G81 X0.333333 Z-1 R0.333333"],
+    ),
+    "rotation": ("G2 X[#1*2] I#1\nG10 L2 P1 X#1 R#1", ["G2 X0.666667 I0.333333", "G10 L2 P1 X0.333333 R0.333333"]),
+}
+
+
+@pytest.mark.parametrize("name", DIGITS)
+def test_coordinates_of_programs_with_arcs_in_r_form_keep_all_digits(name: str) -> None:
+    program, lines = DIGITS[name]
+    program = f"#1=[1/3] #3=2\nF9\n{program}\nM2\n"
+    assert flat(program)[1:-1] == lines
+    if name == "an arc in R form":
+        assert flat(program, {}, Inputs(decimals=3))[1] == "G0 X0.333"
+
+
 CHAINS = {
     "three thirds": ("G91\nG0 X#1\nX#1\nX#1", ["G0 X0.333333", "X0.333334", "X0.333333"]),
     "each axis by itself": ("G91 G0 X#1 Y#2\nX#1 Y#2", ["G91 G0 X0.333333 Y0.666667", "X0.333334 Y0.666666"]),

@@ -12,9 +12,10 @@ import pytest
 from benchmarks.interpreter import Program as Asked
 from benchmarks.interpreter import answer
 
+from deburr.expand import Inputs, Program, expand
 from support.agreement import FACTS
 from support.expressions import ARITHMETIC, COMPARED, FUNCTIONS, LOGICAL
-from support.flat import Case, difference, verdict
+from support.flat import MAIN, RULES, STORED, TABLE, Case, difference, ran, verdict
 from support.formatting import CANONICAL, laid_out
 from support.oracle import SAMPLES
 from support.programs import FLOW, MOTION, PREDEFINED, Generated, generated
@@ -97,6 +98,29 @@ def test_all_facts(capsys: pytest.CaptureFixture[str]) -> None:
         )
         for name, why in known.items():
             print(f"  {name}: {why}")
+
+
+ARCS = {
+    "G21, half": "G21 G90 F100\nG0 X0 Y0\nG2 X#1 Y0 R[#1/2]\n",
+    "G20, half, from a computed point": "G20 G90 F100\nG0 X[1/7] Y[1/3]\nG3 X[1/7+#1] Y[1/3] R[#1/2]\n",
+    "steps": "G21 G91 F100\nG0 X[1/7]\nG2 X#1 Y0 R[#1/2]\nX0 Y#1 R[#1/2]\n",
+    "almost half": "G21 G90 F100\nG0 X0 Y0\nG2 X#1 Y0 R[#1/2+0.000001]\n",
+    "a third": "G19 G90 F100\nG0 Y0 Z0\nG3 Y#1 Z[#1/9] R-[#1*0.7]\n",
+    "in a file that is called": "G90 F100\nG0 X[1/7] Y0\no<arc> call [1/7] [#1]\n",
+}
+"""Arcs in R form of a size #1."""
+
+
+@pytest.mark.parametrize("name", ARCS)
+def test_rounding_moves_no_centre(name: str) -> None:
+    files = {"arc.ngc": "o<arc> sub\nG2 X[#1+#2] R[#2/2]\no<arc> endsub\n"}
+    for size in ("1/3", "100/3", "1000/7", "12.3456789"):
+        case = Case(name, f"#1=[{size}]\n{ARCS[name]}M2\n", files)
+        found = expand([Program(case.main, case.document)], RULES, case.host, Inputs(simulate=True))
+        flat = ran(
+            {TABLE: case.tools, STORED: case.all_files[STORED], MAIN: "".join(f"{line}\n" for line in found.lines)}
+        )
+        assert (flat.calls, flat.status) == (case.original.calls, 0), (size, found.lines, found.faults)
 
 
 @pytest.mark.parametrize("part", range(2))

@@ -23,6 +23,7 @@ from deburr.expand.rs274.shapes import CONTOURED, RUNS, is_plain
 from deburr.expand.rs274.source import Source
 from deburr.expand.rs274.state import State
 from deburr.expand.rs274.template import Templates
+from deburr.expand.rs274.turning import GEOMETRY, turns_by_radius
 from deburr.expand.rs274.unit import COPIED, ELSEWHERE, END, Op, Unit
 from deburr.expand.rs274.values import name_of
 from deburr.fault import Entered, Halt
@@ -72,7 +73,7 @@ class Run:
         self._percent = False
         self._judge: Judge | None = None
         decimals = job.inputs.decimals
-        self._decimals = DECIMALS if decimals is None else decimals
+        self._decimals = self._coordinates = DECIMALS if decimals is None else decimals
         self._minus_zero = self._decimals >= EXACT
 
     def all(self, unit: Unit) -> Iterator[None]:
@@ -82,6 +83,8 @@ class Run:
         self._watch = self._is_watched(unit)
         if worth_running(unit.document):
             self._judge = Judge(self.job)
+            if self.job.inputs.decimals is None and turns_by_radius(unit, self._flow.calls.load):
+                self._coordinates = EXACT
         row, left, pace = 0, 0, self.job.pace
         try:
             while row != END:
@@ -169,8 +172,8 @@ class Run:
         emit, file, state, watch = self.emit, unit.file, self.state, self._watch
         comment, sets = line.comment, bool(line.settings)
         maybe = line.deleted and self.job.inputs.block_delete is None
-        decimals, minus_zero, letters = self._decimals, self._minus_zero, [word.letter for word in line.words]
-
+        minus_zero, letters = self._minus_zero, [word.letter for word in line.words]
+        decimals = self._decimals if GEOMETRY.isdisjoint(letters) else self._coordinates
         rounded = [at for at in pieces if isinstance(at, int) and at >= 0 and letters[at] in AXES]
         chained, chains = watch and bool(rounded) and decimals < EXACT, state.machine.chains
 
