@@ -22,6 +22,7 @@ from deburr_grammar.text import Span
 if TYPE_CHECKING:
     from deburr_grammar.layout import Layout
     from deburr_grammar.line import LineNode
+    from deburr_grammar.structure import Fault
 
 
 class Reading(NamedTuple):
@@ -135,7 +136,21 @@ class Setting(NamedTuple):
     text: str
     choices: tuple[str, ...] = ()
     each: Callable[[str, Any], str] | None = None
-    """Of a table: what is wrong with a key and its value (nothing: "")."""
+    """What is wrong (nothing: "") with a key of a table and its value, with an item of a list (and None), or with the setting's name and its text."""
+
+
+def letters(known: str) -> Callable[[str, Any], str]:
+    """What is wrong with a setting that names some of these letters, each once, in either case."""
+
+    def wrong(name: str, value: str) -> str:
+        said = value.upper()
+        strange = next((letter for letter in said if letter not in known), None)
+        if strange is not None:
+            return f"`{name}` names `{strange}`, which is no axis; these can be: {known}"
+        twice = next((letter for letter in said if said.count(letter) > 1), None)
+        return "" if twice is None else f"`{name}` names `{twice}` twice"
+
+    return wrong
 
 
 class Evidence(NamedTuple):
@@ -166,6 +181,8 @@ class Dialect:
     """The smallest clean program; `{}` is where a rule's example goes."""
     evidence: tuple[Evidence, ...] = ()
     settings: tuple[Setting, ...] = ()
+    never: "frozenset[Fault]" = frozenset()
+    """What elsewhere is a fault of structure and is none here."""
     blanks: str = " \t"
     """Characters that may stand between words; all else of a line is in its tree."""
     modality: Modality | None = None

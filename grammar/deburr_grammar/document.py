@@ -198,7 +198,8 @@ class Document:
     @cached_property
     def faults(self) -> tuple[StructureFault, ...]:
         """All faults of block structure, in order."""
-        return self._outliner.reduction(self._root, self._outliner.start).all_faults()
+        found = self._outliner.reduction(self._root, self._outliner.start).all_faults()
+        return tuple(fault for fault in found if fault.fault not in self.dialect.never)
 
     def partner(self, line: int, bracket: Bracket) -> tuple[int, Bracket] | None:
         """The other end of an opener or closer by depth alone; None where there is none in its region."""

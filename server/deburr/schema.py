@@ -1,6 +1,5 @@
 """What may stand in `deburr.toml`: the fixed tables, the dialects' own, and what is wrong with a given file. Never reads one."""
 
-import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
@@ -46,14 +45,8 @@ WIDEST = 16
 """The most that a setting of a width can be."""
 
 
-def _limit(axis: str, limit: Any) -> str:
-    if not re.fullmatch("[A-Z]", axis):
-        return f"`{axis}` is no axis letter"
-    numbers = isinstance(limit, list) and [type(each) in (int, float) for each in limit] == [True, True]
-    return "" if numbers and limit[0] <= limit[1] else f"the limits of `{axis}` must be two numbers, the lower first"
-
-
-MACHINE = (Setting("limits", Kind.TABLE, {}, "the travel of each axis, `X = [0, 300]`", each=_limit),)
+UNCHECKED = {"machine": "limits of axes are not checked yet; leave [machine] out, so that nobody relies on it"}
+"""Tables that one may expect and that nothing would follow, with what is said of them: a promise that is not kept is worse than none."""
 
 Path = tuple[str, ...]
 
@@ -83,7 +76,7 @@ def tables() -> dict[Path, tuple[Setting, ...] | Free]:
     found |= {("format",): FORMAT}
     found |= {(name,): by_name(name).settings for name in NAMES}
     editor = {("editor",): (), ("editor", "inlay-hints"): HINTS, ("editor", "code-lens"): LENSES}
-    return found | {("machine",): MACHINE} | editor
+    return found | editor
 
 
 def faults(data: Mapping[str, Any]) -> Iterator[Fault]:
@@ -93,6 +86,8 @@ def faults(data: Mapping[str, Any]) -> Iterator[Fault]:
     for key, value in data.items():
         if (key,) in known:
             yield from _table((key,), value, known)
+        elif key in UNCHECKED:
+            yield Fault((key, *list(value)[:1]) if isinstance(value, Mapping) else (key,), UNCHECKED[key])
         else:
             yield from _setting((), key, value, TOP, (*(setting.name for setting in TOP), *sorted(below)))
 
@@ -124,6 +119,9 @@ def _setting(path: Path, key: str, value: Any, schema: tuple[Setting, ...], name
         yield Fault((*path, key), f"`{key}` {message}")
     elif path == ("check",) and setting.kind is Kind.LIST:
         yield from (Fault((*path, key), said) for name in value if (said := unknown(name)))
+    elif setting.kind is Kind.TEXT:
+        said = setting.each(key, value) if setting.each is not None else ""
+        yield from [Fault((*path, key), said)] if said else []
     elif setting.each is not None:
         pairs = value.items() if isinstance(value, Mapping) else ((name, None) for name in value)
         yield from (Fault((*path, key, name), said) for name, of in pairs if (said := setting.each(name, of)))

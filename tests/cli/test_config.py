@@ -64,8 +64,12 @@ def count(shell, *arguments):
         ("[check.per-file-ignores]\n'a/**' = 'rs274'", ":2", "`a/**` must be a list of rules, not a text"),
         ("[check.per-file-ignores]\n'a/**' = ['rs27']", ":2", "`rs27` is no rule; did you mean `rs274`?"),
         ("[files]\n'*.x' = 'rs27'", ":2", '"rs27" is no dialect; did you mean `rs274`?'),
-        ("[machine]\nlimits = { X = [300, 0] }", ":2", "the limits of `X` must be two numbers, the lower first"),
-        ("[machine.limits]\nx = [0, 1]", ":2", "`x` is no axis letter"),
+        ("[check]\n[machine]\nlimits = { X = [0, 300] }", ":3", "limits of axes are not checked yet; leave [machine] out"),
+        ("[machine.limits]\nX = [0, 1]", ":1", "limits of axes are not checked yet; leave [machine] out"),
+        ("[rs274]\naxes = 'XQ'", ":2", "`axes` names `Q`, which is no axis; these can be: XYZABCUVW"),
+        ("[rs274]\naxes = 'XYx'", ":2", "`axes` names `X` twice"),
+        ("[z32]\naxes = 'XYZAE'", ":2", "`axes` names `E`, which is no axis; these can be: ABCDHPQUVWXYZ"),
+        ("[z32]\naxes = 'ZZ'", ":2", "`axes` names `Z` twice"),
         (
             "[z32]\npal = { 300 = 5, 12 = 1 }",
             ":2",
@@ -286,10 +290,10 @@ def test_config_command(shell):
 def test_config_command_prints_what_it_can_read_back(shell):
     shell.write(
         "deburr.toml",
-        '[machine]\nlimits = { X = [0, 300], Y = [-1.5, 2] }\n[files]\n\'a"b\' = "rs274"\n[rs274]\nparameters = "a\\\\b"\n',
+        '[z32]\npal = { 300 = 5, 301 = -2 }\n[files]\n\'a"b\' = "rs274"\n[rs274]\nparameters = "a\\\\b"\n',
     )
     read_back = tomllib.loads(shell.run("config", ".").out)
-    assert read_back["machine"]["limits"] == {"X": [0, 300], "Y": [-1.5, 2]}
+    assert read_back["z32"]["pal"] == {"300": 5, "301": -2}
     assert read_back["files"] == {'a"b': "rs274"}
     assert Path(read_back["rs274"]["parameters"]).name.endswith("b")
 
@@ -298,7 +302,7 @@ def test_init(shell):
     ran = shell.run("init")
     assert ran == (0, "wrote deburr.toml\n", "")
     text = (shell.folder / "deburr.toml").read_text()
-    assert set(tomllib.loads(text)) >= {"files", "check", "machine", "rs274"}
+    assert set(tomllib.loads(text)) >= {"files", "check", "z32", "rs274"}
     shell.write("a.ngc", FAULTY)
     assert count(shell) == 1
     assert shell.run("init") == (2, "", "deburr: error: deburr.toml is there already; it is left as it is\n")

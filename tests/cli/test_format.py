@@ -142,6 +142,15 @@ def test_the_indentation_that_is_configured(shell, text, lead):
     assert path.read_text() == SMOOTH.replace("  ", lead)
 
 
+def test_a_section_that_the_end_of_the_file_ends_is_no_block_without_an_end(shell):
+    path = shell.write("a.cgt", "@START\nG90\n@END\n#IF(#V1=1)<\nM30\n>\n")
+    ran = shell.run("format")
+    assert (ran.code, ran.err) == (0, "")
+    assert path.read_text() == "@START\nG90\n@END\n#IF(#V1=1)<\nM30\n>\n"
+    shell.write("a.cgt", "@START\n#IF(#V1=1)<\nG90\n@END\nM30\n")
+    assert "indentation is left as written because blocks do not pair" in shell.run("format").err
+
+
 def test_sections_that_a_machine_file_makes_tables_are_read_as_such(shell):
     shell.write("deburr.toml", '[cgt]\nmachine = "mill.toml"\n')
     shell.write("mill.toml", '[words]\nMYTAB = "table"\n')

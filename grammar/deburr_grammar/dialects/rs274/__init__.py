@@ -1,6 +1,6 @@
 """RS274/NGC with parameters, expressions and O-words (SmithyCNC, EMC2, LinuxCNC): `spec/rs274.md`."""
 
-from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting
+from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting, letters
 from deburr_grammar.dialects.rs274.modality import MODALITY, remapped
 from deburr_grammar.dialects.rs274.outline import READINGS, RS274Outline
 from deburr_grammar.dialects.rs274.problems import WORDS, diagnose
@@ -41,7 +41,13 @@ DIALECT = Dialect(
         Setting("compare", Kind.CHOICE, "1e-4", "how near two values must be to be EQ", ("1e-4", "1e-6")),
         Setting("subroutine-path", Kind.PATHS, (), "folders in which called subroutine files are looked for"),
         Setting("parameters", Kind.PATH, "", "a .var file with stored parameters"),
-        Setting("axes", Kind.TEXT, "", "letters of the machine's axes; empty: XYZABCUVW, in the smithy profile XYZABC"),
+        Setting(
+            "axes",
+            Kind.TEXT,
+            "",
+            "letters of the machine's axes; empty: XYZABCUVW, in the smithy profile XYZABC",
+            each=letters("XYZABCUVW"),
+        ),
         Setting("tool-table", Kind.PATH, "", "a tool table"),
         Setting(
             "remap",

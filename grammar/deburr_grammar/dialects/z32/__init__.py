@@ -3,11 +3,13 @@
 import re
 from typing import Any
 
-from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting
+from deburr_grammar.dialect import Dialect, Evidence, Kind, Setting, letters
 from deburr_grammar.dialects.z32.outline import READINGS, Z32Outline
 from deburr_grammar.dialects.z32.problems import WORDS, diagnose
 from deburr_grammar.shape import Folding
 
+_AXES = "ABCDHPQUVWXYZ"
+"""The letters that a machine's axes can have (spec/z32.md §5)."""
 _NAME = r"(?:[A-Za-z]{1,2}|PA[LR][ \t]*\[[^\]\n]*\])"
 _FIELD = rf"(?:IF\b|EB\b|CP\b|PC\b|GO[NPS][ \t]*(?:[0-9.]|<|&lt)|:[ \t]*L254[ \t]*-|{_NAME}[ \t]*=)"
 
@@ -58,7 +60,7 @@ DIALECT = Dialect(
             "folder with the programs that GOP calls; GOS looks in the same name with `-temp` behind it",
         ),
         Setting("file-root", Kind.PATH, "", "folder below which the files of L254 calls are found"),
-        Setting("axes", Kind.TEXT, "XYZABC", "letters of the machine's axes"),
+        Setting("axes", Kind.TEXT, "XYZABC", "letters of the machine's axes", each=letters(_AXES)),
         Setting(
             "pal",
             Kind.TABLE,
