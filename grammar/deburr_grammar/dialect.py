@@ -22,7 +22,6 @@ from deburr_grammar.text import Span
 if TYPE_CHECKING:
     from deburr_grammar.layout import Layout
     from deburr_grammar.line import LineNode
-    from deburr_grammar.structure import Fault
 
 
 class Reading(NamedTuple):
@@ -181,8 +180,8 @@ class Dialect:
     """The smallest clean program; `{}` is where a rule's example goes."""
     evidence: tuple[Evidence, ...] = ()
     settings: tuple[Setting, ...] = ()
-    never: "frozenset[Fault]" = frozenset()
-    """What elsewhere is a fault of structure and is none here."""
+    file_ends_region: bool = False
+    """Whether the end of the file ends a region as well as its own end does."""
     blanks: str = " \t"
     """Characters that may stand between words; all else of a line is in its tree."""
     modality: Modality | None = None

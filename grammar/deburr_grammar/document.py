@@ -16,7 +16,7 @@ from deburr_grammar.line import LineNode, Shape, shapes_of
 from deburr_grammar.outline import Before, Outlined, Outliner, Stepped, facts_of
 from deburr_grammar.problem import Problem
 from deburr_grammar.search import Partners, Step
-from deburr_grammar.structure import Balance, StructureFault
+from deburr_grammar.structure import Balance, Fault, StructureFault
 from deburr_grammar.text import Edit, Pos, cut_points
 
 S = TypeVar("S", bound=Hashable)
@@ -199,7 +199,8 @@ class Document:
     def faults(self) -> tuple[StructureFault, ...]:
         """All faults of block structure, in order."""
         found = self._outliner.reduction(self._root, self._outliner.start).all_faults()
-        return tuple(fault for fault in found if fault.fault not in self.dialect.never)
+        never = Fault.REGION_UNCLOSED if self.dialect.file_ends_region else None
+        return tuple(fault for fault in found if fault.fault is not never)
 
     def partner(self, line: int, bracket: Bracket) -> tuple[int, Bracket] | None:
         """The other end of an opener or closer by depth alone; None where there is none in its region."""

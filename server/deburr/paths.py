@@ -5,7 +5,7 @@
 import os
 import os.path
 import stat
-from errno import EFBIG
+from errno import EFBIG, ENOTSUP
 from typing import BinaryIO
 
 MOST = 64 * 1024 * 1024
@@ -69,7 +69,12 @@ def size(path: str) -> int:
 
 
 def data(path: str) -> bytes:
-    """The bytes of a file; OSError if it cannot be read."""
+    """The bytes of a file; OSError if it cannot be read, or if it is a pipe that lies about: whether anybody writes into it is not known.
+
+    What the shell gives by name, `/dev/stdin` or `/dev/fd/63` of `<(...)`, has a writer.
+    """
+    if stat.S_ISFIFO(os.stat(path).st_mode) and not path.startswith(("/dev/", "/proc/")):
+        raise OSError(ENOTSUP, "a named pipe, which may never end; write its content into standard input and name `-`")
     with open(path, "rb") as file:
         return bounded(file)
 

@@ -43,10 +43,12 @@ def ran(analysis: Analysis, inputs: Inputs | None = None, blocks: int = BLOCKS) 
 def running(analysis: Analysis, inputs: Inputs | None = None, blocks: int = BLOCKS) -> Iterator[Finding | None]:
     """The same as work that can be left wherever it yields None; `Misgiven` if a value of the inputs is unusable."""
     module = interpreter(analysis.dialect.name)
-    if module is None or not module.worth_running(analysis.document):
+    inputs = inputs or analysis.inputs
+    # Values that were given are judged even where no line reads one.
+    if module is None or not (inputs.define or module.worth_running(analysis.document)):
         return
     program = Program(analysis.file, analysis.document)
-    job = Job((program,), analysis.ruleset, analysis.host, _Nowhere(), inputs or analysis.inputs, Budget(blocks, 0))
+    job = Job((program,), analysis.ruleset, analysis.host, _Nowhere(), inputs, Budget(blocks, 0))
     yield from drive(job)
     for fault in job.faults:
         if fault.given:

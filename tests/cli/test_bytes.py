@@ -1,5 +1,7 @@
 """Bytes: encodings, marks and padding; positions are those that an editor shows."""
 
+import os
+
 import pytest
 
 from deburr.cli.disk import Disk
@@ -150,3 +152,16 @@ def test_the_disk_decodes_as_programs_are_decoded(tmp_path):
     assert (disk.read(f"{folder}/a.ngc"), disk.read(f"{folder}/none")) == ("(ä)", None)
     assert disk.read(f"{folder}/b.ngc") == "(ä)"
     assert disk.read(folder) is None
+
+
+def test_a_named_pipe_is_refused_and_what_the_shell_gives_is_read(shell):
+    os.mkfifo(shell.folder / "fifo.ngc")
+    for command in ("check", "expand", "format", "explain-dialect"):
+        ran = shell.run(command, "fifo.ngc")
+        assert ran.code == 2 and "fifo.ngc: a named pipe, which may never end" in ran.err
+    reading, writing = os.pipe()
+    os.write(writing, b"G0 X1\nM2\n")
+    os.close(writing)
+    ran = shell.run("check", "--dialect", "rs274", f"/dev/fd/{reading}")
+    os.close(reading)
+    assert (ran.code, ran.out) == (0, "All checks passed (1 checked)\n")

@@ -64,7 +64,11 @@ def count(shell, *arguments):
         ("[check.per-file-ignores]\n'a/**' = 'rs274'", ":2", "`a/**` must be a list of rules, not a text"),
         ("[check.per-file-ignores]\n'a/**' = ['rs27']", ":2", "`rs27` is no rule; did you mean `rs274`?"),
         ("[files]\n'*.x' = 'rs27'", ":2", '"rs27" is no dialect; did you mean `rs274`?'),
-        ("[check]\n[machine]\nlimits = { X = [0, 300] }", ":3", "limits of axes are not checked yet; leave [machine] out"),
+        (
+            "[check]\n[machine]\nlimits = { X = [0, 300] }",
+            ":3",
+            "limits of axes are not checked yet; leave [machine] out",
+        ),
         ("[machine.limits]\nX = [0, 1]", ":1", "limits of axes are not checked yet; leave [machine] out"),
         ("[rs274]\naxes = 'XQ'", ":2", "`axes` names `Q`, which is no axis; these can be: XYZABCUVW"),
         ("[rs274]\naxes = 'XYx'", ":2", "`axes` names `X` twice"),

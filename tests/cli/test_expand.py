@@ -207,6 +207,17 @@ def test_check_says_nothing_of_what_only_the_machine_knows(shell):
     ("name", "program", "given", "said"),
     [
         ("p.ngc", "G0 X#1\nM2\n", "1=x", "-D 1=x: the value is no number"),
+        ("p.ngc", "G0 X#31\nM2\n", "31=inf", "-D 31=inf: the value is no number"),
+        ("p.ngc", "G0 X#31\nM2\n", "31=nan", "-D 31=nan: the value is no number"),
+        ("p.ngc", "G0 X#31\nM2\n", "31=1e400", "-D 31=1e400: the value is no number"),
+        ("p.ngc", "G0 X#31\nM2\n", "31=1_0", "-D 31=1_0: the value is no number"),
+        ("p.ngc", "G0 X1\nM2\n", "31=bar", "-D 31=bar: the value is no number"),
+        ("p.ngc", "G0 X1\nM2\n", "foo=bar", "-D foo=bar: the value is no number"),
+        ("p.mgc", "G0 X1\n", "b=1|2", "-D b=...: the value has a bar in it"),
+        ("p.z32", "G0 X1\nM30\n", "HA=inf", "-D HA=inf: `inf` is no number"),
+        ("p.z32", "G0 X1\nM30\n", f"HA={'9' * 400}", f"-D HA={'9' * 400}: `{'9' * 400}` is no number"),
+        ("p.cgt", "@START\n%\n@\n@END\n@\n", "V1=inf", "-D V1=inf: `#V1` takes a number"),
+        ("p.cgt", "@START\n%\n@\n@END\n@\n", "V1=1e400", "-D V1=1e400: `#V1` takes a number"),
         ("p.mgc", "G0 X|a|\n", "a=1|2", "-D a=...: the value has a bar in it"),
         ("p.z32", "X<HA>\nM30\n", "HA=", "-D HA=: `` is no number"),
         ("p.cgt", "@START\n#V1\n@\n@END\n@\n", "V1=a", "-D V1=a: `#V1` takes a number"),
@@ -220,6 +231,12 @@ def test_a_value_that_cannot_be_used_is_an_error_of_usage(shell, name, program, 
         ran = shell.run(command, name, *toolpath, "-D", given)
         assert (ran.code, ran.out) == (2, "")
         assert ran.err.startswith(f"deburr: error: {said}") and ran.err.count("\n") == 1
+
+
+def test_a_value_is_judged_where_a_template_has_no_toolpath(shell):
+    shell.write("p.cgt", "@START\n#V1\n@\n@END\n@\n")
+    for command in ("expand", "check"):
+        assert shell.run(command, "p.cgt", "-D", "V1=a") == (2, "", "deburr: error: -D V1=a: `#V1` takes a number\n")
 
 
 def test_a_value_may_be_meant_for_another_language(shell):

@@ -44,7 +44,7 @@ def parser() -> argparse.ArgumentParser:
         "paths",
         nargs="*",
         metavar="PATH",
-        help="files, folders (searched through, .gitignore respected) or - for standard input; default: this folder",
+        help="files, folders (searched through, .gitignore respected) or - for standard input; a named pipe is refused, /dev/stdin and <(...) are read; default: this folder",
     )
     add_dialect(found)
     found.add_argument(

@@ -28,7 +28,9 @@ def parser() -> argparse.ArgumentParser:
         description="Print the flat program that a control would execute. Several files are joined in order.",
         allow_abbrev=False,
     )
-    found.add_argument("files", nargs="+", metavar="FILE", help="a program, or - for standard input")
+    found.add_argument(
+        "files", nargs="+", metavar="FILE", help="a program, or - for standard input; a named pipe is refused"
+    )
     found.add_argument("-o", "--output", metavar="FILE", help="where the flat program goes (default: standard output)")
     add_dialect(found)
     found.add_argument("--profile", metavar="P", help="whose manual decides, in dialects that have profiles")

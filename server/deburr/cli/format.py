@@ -40,7 +40,7 @@ def parser() -> argparse.ArgumentParser:
         "paths",
         nargs="*",
         metavar="PATH",
-        help="files, folders (searched through, .gitignore respected) or - for standard input; default: this folder",
+        help="files, folders (searched through, .gitignore respected) or - for standard input; a named pipe is refused, /dev/stdin and <(...) are read; default: this folder",
     )
     found.add_argument(
         "--check", action="store_true", help="write nothing; exit 1 and name the files that would change"

@@ -5,7 +5,6 @@ from deburr_grammar.dialects.cgt.machine import table_words
 from deburr_grammar.dialects.cgt.outline import READINGS, CGTOutline
 from deburr_grammar.dialects.cgt.problems import WORDS, diagnose
 from deburr_grammar.shape import Folding
-from deburr_grammar.structure import Fault
 
 _FRAME = """\
 @START
@@ -48,8 +47,7 @@ DIALECT = Dialect(
     given=table_words,
     words=WORDS,
     comments=(("//", ""),),
-    # A section ends where the next one starts, or with the file (spec/cgt.md §2).
-    never=frozenset((Fault.REGION_UNCLOSED,)),
+    file_ends_region=True,
     frame=_FRAME,
     evidence=(
         Evidence(

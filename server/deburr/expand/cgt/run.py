@@ -53,15 +53,16 @@ class Run:
     def __init__(self, job: Job, program: Program) -> None:
         self._job = job
         self._file = program.file
-        toolpath = toolpath_of(job)
         self._template = Template(program.document, _machine_of(job), job.inputs.define)
         self._refuse_unknown()
         for section in self._template.sections if self._template.faulty_lines else ():
             if section.is_table:
                 for row in section.rows:
                     self._refuse_faulty(row.line, row.line + 1)
-        self._given = JobData(toolpath, self._template)
         self._words = Words(self._template)
+        # Before the toolpath is asked for: a value that was misgiven is wrong whatever is run.
+        self._define()
+        self._given = JobData(toolpath_of(job), self._template)
         self._state = State(job, program.file, self._words, self._unit_of)
         job.where = self._state.where
         self._pieces = Pieces(self._state, self._template, self._given)
@@ -70,7 +71,6 @@ class Run:
         self._cells: dict[str, Cell] = {}
         """The words that events set."""
         self._lost: set[str] = set()
-        self._define()
 
     def all(self) -> Iterator[None]:
         """Every section that the generator runs, in slices of executed lines."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.unit import Unit
@@ -11,6 +13,8 @@ from deburr_grammar.document import Document
 if TYPE_CHECKING:
     from deburr.expand.job import Job
     from deburr.expand.rs274.state import State
+
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
 def loaded(job: Job, label: str) -> Unit | None:
@@ -33,10 +37,9 @@ def first_values(state: State) -> None:
 
 
 def _define(state: State, name: str, said: str) -> None:
-    try:
-        value = float(said)
-    except ValueError:
-        raise state.job.unusable("param-range", f"{name}={said}", "the value is no number") from None
+    value = float(said) if _NUMBER.fullmatch(said) else math.inf
+    if not math.isfinite(value):
+        raise state.job.unusable("param-range", f"{name}={said}", "the value is no number")
     plain = name.strip("<>").lower()
     if plain.isascii() and plain.isdigit():
         if not 1 <= int(plain) <= state.last:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import TYPE_CHECKING
 
@@ -64,7 +65,7 @@ def _configure(state: State, node: LineNode) -> None:
 
 
 def _define(state: State, name: str, value: str, said: str) -> None:
-    if not _NUMBER.fullmatch(value):
+    if not _NUMBER.fullmatch(value) or not math.isfinite(number(value)):
         raise state.job.unusable("number-format", said, f"`{value}` is no number")
     vector = _VECTOR.fullmatch(name)
     if vector is None:
