@@ -1,5 +1,5 @@
 # pathlib costs more to load than a small program takes to check.
-# ruff: noqa: PTH100, PTH109, PTH110, PTH112, PTH113, PTH118, PTH120, PTH122, PTH123, PTH202, PTH208
+# ruff: noqa: PTH100, PTH109, PTH110, PTH112, PTH113, PTH116, PTH118, PTH120, PTH122, PTH123, PTH202, PTH208
 """The few things that are asked of the file system. A path is a text, absolute once it is known, with `/` between its parts."""
 
 import os
