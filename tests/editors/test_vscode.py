@@ -65,9 +65,7 @@ def test_a_program_is_read_mended_and_expanded(task: Task, window: Browser, trus
 
         opened.focus()
         opened.go_to(*place(task, task.fault))
-        page.keyboard.press("Control+.")
-        page.locator(".action-widget .monaco-list-row", has_text=task.action).first.wait_for()
-        page.keyboard.press("Enter")
+        opened.quick_fix(task.action)
         opened.line(task.mended).wait_for()
         expect(opened.editor().locator(".squiggly-error")).to_have_count(0)
 

@@ -48,6 +48,8 @@ def _manifest(manifest: dict[str, Any], schema: dict[str, Any]) -> dict[str, Any
         "languages": [*(_language(each) for each in dialects), {"id": FLAT, "aliases": ["Expanded G-code"]}],
         "grammars": [_grammar(name) for name in (*NAMES, FLAT)],
         "semanticTokenScopes": [{"language": name, "scopes": SCOPES} for name in NAMES],
+        # `#5420` is a parameter, not a colour.
+        "configurationDefaults": {f"[{name}]": {"editor.defaultColorDecorators": "never"} for name in (*NAMES, FLAT)},
         "configuration": [own["configuration"][0], *_settings(schema)],
     }
     return {**manifest, "contributes": {**own, **made}}
