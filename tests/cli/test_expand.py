@@ -23,6 +23,13 @@ def test_the_flat_program_goes_to_a_file(shell):
     assert sorted(path.name for path in shell.folder.iterdir()) == ["flat.ngc", "loop.ngc"]
 
 
+def test_programs_that_run_by_themselves_are_not_joined(shell):
+    shell.write("a.ngc", "G0 X1\nM2\n")
+    shell.write("b.ngc", "G0 X2\nM2\n")
+    said = "deburr: error: a program in `rs274` runs by itself: name one file, not 2; nothing joins them\n"
+    assert shell.run("expand", "a.ngc", "b.ngc") == (2, "", said)
+
+
 def test_standard_input_is_a_program(shell):
     assert shell.run("expand", "-", "--dialect", "rs274", stdin=LOOP.encode()) == (0, FLAT, "")
 

@@ -266,6 +266,18 @@ def test_a_called_file_that_is_wrong_stops_the_run() -> None:
     assert (fault.kind, fault.file, fault.line) == ("sub-file", MAIN, 0)
 
 
+def test_a_check_follows_saved_modes_that_are_thrown_away() -> None:
+    for program, found in (("M73\nG91\nM71\nG90 M72\nM2\n", [(3, 4, 7)]), ("M73\nG91\nM71\nM70\nM72\nM2\n", [])):
+        findings = Analysis(Document.parse(program, DIALECT), RULES, MAIN, MemoryHost({}), (), ran).findings()
+        told = [(each.place.line, each.place.col, each.place.end_col) for each in findings]
+        assert ({each.rule for each in findings}, told) == ({"rs274.restore-unsaved"} if found else set(), found)
+
+
+def test_a_program_that_its_file_does_not_have_is_sought_nowhere_else() -> None:
+    fault = expansion("M98 P2\nM30\nO2\nM99\n", {"2.ngc": "G0 X1\nM2\n"}).faults[-1]
+    assert (fault.kind, fault.line, fault.message.split(",")[0]) == ("sub-file", 0, "`2.ngc` has no program `O2`")
+
+
 INPUT = {
     "runtime-value": "G38.2 Z-5 F10\nG0 X#5061\nM2\n",
     "block-delete-state": "/#1=5\nG0 X#1\nM2\n",

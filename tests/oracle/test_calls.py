@@ -48,6 +48,8 @@ CASES: dict[str, tuple[str, dict[str, str]]] = {
     "definition in a loop": ("o5 repeat [2]\no1 sub\no1 endsub\no1 call\no5 endrepeat\nM2\n", {}),
     "file and definition below": ("o<foo> call\n" + FOO + "M2\n", {"foo.ngc": FOO}),
     "file and definition above": (FOO + "o<foo> call\nM2\n", {"foo.ngc": FOO}),
+    "M98 to a file without the program": ("M98 P2\nM30\nO2\nG0 X5\nM99\n", {"2.ngc": "G0 X1\nM2\n"}),
+    "M98 to a file with the program": ("M98 P2\nM30\nO2\nG0 X5\nM99\n", {"2.ngc": "O2\nG0 X1\nM99\n"}),
     "M98 to nothing": ("M98 P100\nM2\n", {}),
     "M98 to a program above": ("o100\nG0 X1\nM99\nM98 P100\nM2\n", {}),
     "contour above": (CONTOUR + LATHE + "M2\n", {}),

@@ -20,7 +20,7 @@ from deburr.cli.run import Outcome, texts
 from deburr.cli.style import style_for
 from deburr.config import ConfigError, RuleSets
 from deburr.configfile import Configs
-from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive
+from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive, interpreter
 from deburr.finding import Finding, Severity
 from deburr.host import Host, NoFiles
 from deburr.ran import before_a_run, merged, worded
@@ -61,6 +61,9 @@ def opened_programs(files: Sequence[str], dialect: str | None, configs: Configs)
     names = {each.dialect.name for each in found}
     if len(names) > 1:
         raise ConfigError(f"programs of several dialects cannot be joined: {', '.join(sorted(names))}")
+    if len(found) > 1 and not getattr(interpreter(found[0].dialect.name), "JOINS", False):
+        name = found[0].dialect.name
+        raise ConfigError(f"a program in `{name}` runs by itself: name one file, not {len(found)}; nothing joins them")
     return found
 
 

@@ -2,8 +2,10 @@
 
 from deburr.expand.metagcode.phases import run, worth_running
 
-__all__ = ["CHECKS", "FOLLOWS", "run", "worth_running"]
+__all__ = ["CHECKS", "FOLLOWS", "JOINS", "run", "worth_running"]
 
 FOLLOWS = ("decimals",)
 CHECKS = True
 """Test steps hang together only when they are joined, so a run looks for all faults of form itself."""
+JOINS = True
+"""Several programs are test steps of one."""

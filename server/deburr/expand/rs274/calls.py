@@ -262,8 +262,12 @@ class Calls:
                 above = -1
             start = target.numbered_behind(label, above)
             if start is None:
+                kind = "sub-unknown"
                 message = f"there is no program `O{label}`, neither further down nor in a file `{label}.ngc`"
-                raise self._state.fault("sub-unknown", unit.file, row, span, message)
+                if target is not unit:
+                    kind, name = "sub-file", target.file.rpartition("/")[2]
+                    message = f"`{name}` has no program `O{label}`, and the control looks for it nowhere else"
+                raise self._state.fault(kind, unit.file, row, span, message)
             found = self._known[label] = target, start
         return found
 

@@ -19,7 +19,7 @@ from deburr.expand.rs274.lines import Line, Piece, text_of
 from deburr.expand.rs274.machine import Machine
 from deburr.expand.rs274.parts import last_values
 from deburr.expand.rs274.saved import SAVES, saving
-from deburr.expand.rs274.shapes import CONTOURED, RUNS, is_plain
+from deburr.expand.rs274.shapes import CONTOURED, is_plain, needs_run
 from deburr.expand.rs274.source import Source
 from deburr.expand.rs274.state import State
 from deburr.expand.rs274.template import Templates
@@ -49,10 +49,10 @@ def run(job: Job) -> Iterator[None]:
 
 
 def worth_running(document: Document) -> bool:
-    """Whether a run can find anything: without parameters, expressions and calls there is nothing that a check has not seen."""
+    """Whether a run can find anything: without parameters, expressions, calls and saved modes that are thrown away there is nothing that a check has not seen."""
     for piece in document.pieces():
         for reading, _, shapes in piece.read():
-            if reading.start is not None and any(not RUNS.isdisjoint(s.facts(reading).kinds) for s in set(shapes)):
+            if reading.start is not None and any(needs_run(shape, reading) for shape in set(shapes)):
                 return True
     return False
 

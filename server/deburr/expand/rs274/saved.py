@@ -20,7 +20,8 @@ _WORD = re.compile(r"([A-Z])([0-9.]+)")
 def saving(run: Run, unit: Unit, row: int, line: Line, codes: frozenset[str]) -> Op:
     """A line with one of these codes: the rest of the line first, then what the code does to the saved modes."""
     rest, state, emit = run.written(unit, row, line, line.pieces(SAVES), row + 1), run.state, run.emit
-    span = Span(0, len(line.node.text.rstrip()))
+    said = next((word.part for word in line.words if word.code == "M72"), line.node.tree)
+    span = Span(max(line.node.text.upper().rfind("M", 0, said.start), 0), said.end)
 
     def executed() -> int:
         rest()

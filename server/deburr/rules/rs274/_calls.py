@@ -30,6 +30,8 @@ def _file(target: Target) -> str:
 
 def _lacks(call: Call, target: Target) -> str:
     wanted, file = said(call.label), _file(target)
+    if call.fanuc:
+        return f"`{file}` has no program `O{call.label}`, and the control looks for it nowhere else"
     labels = list(target.program.by_label) if target.program is not None else []
     has = (
         f"it defines {', '.join(f'`{said(label)}`' for label in labels[:3])}" if labels else "it defines no sub at all"

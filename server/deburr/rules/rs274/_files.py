@@ -246,9 +246,14 @@ class World:
         return Target(How.NEARBY if self.folders.nearby(label) else How.MISSING)
 
     def _called_by_number(self, program: Program, call: Call, label: str) -> Target:
+        file = self.folders.find(label)
+        found = self.folders.program(file) if file is not None else None
+        if found is not None and file is not None and label not in self.main.by_label:
+            # A file of the number is read whatever else has it.
+            has = found.computed or any(bare == label for _, bare in found.bare)
+            return Target(How.FILE if has else How.LACKS, file, found)
         if any(bare == label for each in (program, self.main) for _, bare in each.bare):
             return Target(How.SUB)
-        file = self.folders.find(label)
         if file is not None or not self.folders.searchable:
             return Target(How.UNSEEN if file is None else How.FILE, file or "")
         return Target(How.MISSING)

@@ -65,6 +65,14 @@ Bad (whole):
     o<drill> endsub
     %
 
+Bad:
+
+    M98 P2
+    ^^^^^^
+    -- 2.ngc --
+    G0 X1
+    M2
+
 Good:
 
     o<drill> call
