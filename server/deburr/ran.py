@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import islice
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.expand import Budget, Inputs, Job, Program, drive, interpreter
 from deburr.fault import Entered
@@ -11,7 +11,7 @@ from deburr.finding import Finding, Place, Related, Severity
 from deburr.rule import Report
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
 
     from deburr.analysis import Analysis
     from deburr.fault import Fault, Frame
@@ -35,13 +35,31 @@ class Misgiven(Exception):
     """A value that was given for a run cannot be used: nothing was run, and no program is at fault."""
 
 
-def ran(analysis: Analysis, inputs: Inputs | None = None, blocks: int = BLOCKS) -> list[Finding]:
+class Stop(NamedTuple):
+    """Where a run ended that did not reach the program's end, and why, though nothing there is a finding."""
+
+    file: str
+    line: int
+    why: str
+
+
+def ran(
+    analysis: Analysis,
+    inputs: Inputs | None = None,
+    blocks: int = BLOCKS,
+    stopped: Callable[[Stop], None] | None = None,
+) -> list[Finding]:
     """The findings of a run with these inputs, or else those of the analysis. What a machine, an operator or a missing input would decide ends it in silence, and so does the bound."""
-    return [found for found in running(analysis, inputs, blocks) if found is not None]
+    return [found for found in running(analysis, inputs, blocks, stopped) if found is not None]
 
 
-def running(analysis: Analysis, inputs: Inputs | None = None, blocks: int = BLOCKS) -> Iterator[Finding | None]:
-    """The same as work that can be left wherever it yields None; `Misgiven` if a value of the inputs is unusable."""
+def running(
+    analysis: Analysis,
+    inputs: Inputs | None = None,
+    blocks: int = BLOCKS,
+    stopped: Callable[[Stop], None] | None = None,
+) -> Iterator[Finding | None]:
+    """The same as work that can be left wherever it yields None; `Misgiven` if a value of the inputs is unusable. ``stopped`` is told where it ended in silence."""
     module = interpreter(analysis.dialect.name)
     inputs = inputs or analysis.inputs
     # Values that were given are judged even where no line reads one.
@@ -55,6 +73,9 @@ def running(analysis: Analysis, inputs: Inputs | None = None, blocks: int = BLOC
             raise Misgiven(fault.message)
     for fault in job.faults[:-1] if job.cut else job.faults:
         yield from _reported(fault, analysis)
+    if stopped is not None and job.halted and (job.cut or _silent(job.faults[-1], analysis)):
+        last = job.faults[-1]
+        stopped(Stop(last.file, last.line, last.message))
 
 
 def worded(fault: Fault, ruleset: RuleSet, line: str) -> Finding:
@@ -71,8 +92,14 @@ def worded(fault: Fault, ruleset: RuleSet, line: str) -> Finding:
 
 def _reported(fault: Fault, analysis: Analysis) -> Iterator[Finding]:
     rule = analysis.ruleset.named(fault.kind)
-    if rule in analysis.ruleset.rules and not (rule is not None and rule.input or fault.input):
+    if rule in analysis.ruleset.rules and not _silent(fault, analysis):
         yield worded(fault, analysis.ruleset, _line(fault, analysis))
+
+
+def _silent(fault: Fault, analysis: Analysis) -> bool:
+    """Whether only what was not given decides there."""
+    rule = analysis.ruleset.named(fault.kind)
+    return fault.input or (rule is not None and rule.input)
 
 
 def _line(fault: Fault, analysis: Analysis) -> str:

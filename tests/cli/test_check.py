@@ -181,6 +181,22 @@ def test_quiet_and_verbose(shell):
     assert second.startswith("deburr: b.nc: skipped, the extension .nc is shared")
 
 
+@pytest.mark.parametrize(
+    ("name", "program", "said"),
+    [
+        ("p.ngc", "#1=1\nG0 X#5061\nM2\n", "run stopped at p.ngc:2: "),
+        ("p.z32", "%\nG0 X<HA>\nM30\n", "run stopped at p.z32:2: `HA` has no value yet"),
+    ],
+)
+def test_verbose_says_where_a_run_stopped(shell, name, program, said):
+    shell.write(name, program)
+    ran = shell.run("check", "-v", name)
+    _, stopped = ran.err.splitlines()
+    assert ran.code == 0 and stopped.startswith(f"deburr: {name}: {said}")
+    given = ["-D", "HA=1"] if name == "p.z32" else ["--no-run"]
+    assert "stopped" not in shell.run("check", "-v", name, *given).err
+
+
 def test_standard_input(shell):
     assert lines(shell, "-", "--dialect", "rs274", stdin=FAULTY.encode()) == ([f"-:2:8: error {ZERO}"], 1)
     named = [f"sub/x.ngc:2:8: error {ZERO}"]

@@ -1,5 +1,7 @@
 """`deburr expand` of a template: its toolpath, its machine file, values for words that nothing declares."""
 
+from pathlib import Path
+
 import pytest
 
 TEMPLATE = "@START\n%\nO#number\n@\n@LINE\n<#MOV>< X#XPOS>< Y#YPOS>< Z#ZPOS>\n@\n@END\nM30\n@\n"
@@ -68,3 +70,59 @@ def test_a_run_is_checked_with_the_configured_toolpath(shell):
     assert code == 1 and "cgt.divide-by-zero" in said
     assert shell.run("check", "part.cgt", "--input", "part.cl", "-D", "V2=4")[0] == 0
     assert shell.run("check", "part.cgt")[0] == 0
+
+
+MILL = """\
+%
+O1001(SQUARE)
+(x y)
+G21
+G90 G17 G40 G80
+N10 M09
+N20 G40 G80
+N30 G53 Z0
+N40 M05
+N50 T1 M06
+N60 M42
+N70 S1500 M03
+N80 G00 G43 H1 Z50.0
+N90 G00 X-10.0 Y0.0 Z5.0
+N100 M08
+N110  Z-2.0
+N120 G01 G41 D11 X0.0 F250.0
+N130  Y30.0
+N140 G02 X10.0 Y40.0 I10.0 J0.0
+N150 G01 X40.0
+N160  Y0.0
+N170  X0.0
+N180  G40 X-10.0
+N190 G00 Z50.0
+N200 M09
+N210 G40 G80
+N220 G53 Z0
+N230 M05
+N240 T2 M06
+N250 M41
+N260 S800 M03
+N270 G00 G43 H2 Z50.0
+N280 G00 X10.0 Y10.0 Z5.0
+N290 M08
+N300 G99 G81 Z-6.0 R2.0 F80.0
+N310 G99  X30.0 Z-6.0 R2.0
+N320 G80
+N330 G04 P0.5
+N340 G00 Z50.0
+N350 M09
+N360 G40 G80
+N370 G53 Z0
+N380 M05
+N390 M30
+N400 %
+"""
+"""Compensation ends on the way out, before the next tool; behind the drill cycle stands G80, and the motion anew."""
+
+
+def test_the_example_of_a_mill_leaves_nothing_on(shell):
+    mill = Path(__file__).parents[2] / "examples/cgt/mill.cgt"
+    toolpath = ["--input", str(mill.with_suffix(".cl"))]
+    assert shell.run("expand", str(mill), *toolpath, "-D", "DATE=x", "-D", "SYSTIME=y") == (0, MILL, "")

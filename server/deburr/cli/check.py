@@ -92,7 +92,12 @@ def _add_output(found: argparse.ArgumentParser) -> None:
     )
     loudness = found.add_mutually_exclusive_group()
     loudness.add_argument("-q", "--quiet", action="store_true", help="findings only, no summary")
-    loudness.add_argument("-v", "--verbose", action="store_true", help="also say, on stderr, how each file was read")
+    loudness.add_argument(
+        "-v",
+        "--verbose",
+        action="store_true",
+        help="also say, on stderr, how each file was read and where its run stopped",
+    )
 
 
 def _add_rules(found: argparse.ArgumentParser, name: str, default: list[str] | None, text: str) -> None:
@@ -225,6 +230,8 @@ def _say(found: Iterable[Outcome], verbose: bool) -> None:
         elif verbose:
             origin = style.file(outcome.origin) if outcome.origin else "no configuration"
             complain(f"{name}: {outcome.dialect} ({outcome.reason}), {origin}", "")
+            if (stop := outcome.stopped) is not None:
+                complain(f"{name}: run stopped at {style.file(stop.file)}:{stop.line + 1}: {stop.why}", "")
 
 
 def _processes(asked: int | None, found: Sequence[Target]) -> int:

@@ -1,7 +1,7 @@
 """One file from its bytes to an outcome, and many of them on several cores in the same order. Prints nothing."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from deburr import paths
 from deburr.analysis import Analysis
@@ -19,6 +19,9 @@ from deburr.inputs import Inputs
 from deburr.ruleset import RuleSet
 from deburr.source import Source
 from deburr_grammar.text import split_lines
+
+if TYPE_CHECKING:
+    from deburr.ran import Stop
 
 AROUND = 2
 """Lines shown before and behind the line of a finding."""
@@ -43,6 +46,8 @@ class Outcome(NamedTuple):
     """What they would change, where that is only shown."""
     data: bytes = b""
     """Of standard input the program behind its fixes."""
+    stopped: "Stop | None" = None
+    """Where its run ended before the end, if it did in silence."""
 
 
 class Fixes(NamedTuple):
@@ -89,7 +94,18 @@ class Checker:
         findings = check(found, dialect, ruleset, file, host, runs, inputs, mend=True)
         shown = texts(findings, file, found, host) if self._options.texts and findings else ()
         fails = any(finding.severity >= config.fail_on for finding in findings)
-        return Outcome(file, dialect.name, reason, tuple(findings), fails, "", config.origin, shown, run.misgiven)
+        return Outcome(
+            file,
+            dialect.name,
+            reason,
+            tuple(findings),
+            fails,
+            "",
+            config.origin,
+            shown,
+            run.misgiven,
+            stopped=run.stopped,
+        )
 
     def _fixed(self, opening: Opening, piped: bool) -> Outcome:
         """Mend a program, write or show it, and check what has become of it."""
@@ -119,10 +135,11 @@ class Checker:
 
 
 class _Runs:
-    """Runs a program. ``misgiven``: what is wrong with a value that was given for it."""
+    """Runs a program. ``misgiven``: what is wrong with a value that was given for it; ``stopped``: where it ended in silence."""
 
     def __init__(self) -> None:
         self.misgiven = ""
+        self.stopped: Stop | None = None
 
     def __call__(self, analysis: Analysis) -> list[Finding]:
         """What a run meets."""
@@ -130,10 +147,13 @@ class _Runs:
         from deburr.ran import Misgiven, ran
 
         try:
-            return ran(analysis)
+            return ran(analysis, stopped=self._stopped)
         except Misgiven as wrong:
             self.misgiven = str(wrong)
             return []
+
+    def _stopped(self, stop: "Stop") -> None:
+        self.stopped = stop
 
 
 def outcomes(checker: Checker, targets: Sequence[Target], jobs: int) -> Iterator[Outcome]:
