@@ -127,7 +127,8 @@ class Calls:
             if again is not None and again[2]:
                 target, start, left = again
                 state.calls[-1].again = (target, start, left - 1)
-                state.locals = {}
+                self._bring_back(unit, row)
+                state.locals, state.saved, state.returns = {}, None, False
                 self._run.unit, self._run.row = target, start + 1
                 return ELSEWHERE
             return self._return(unit, row)
@@ -199,17 +200,22 @@ class Calls:
         for loop in state.loops:
             if loop.left != ENDLESS:
                 state.leaks.counters[unit.file, loop.first] = loop.left
-        if state.saved is not None and state.saved.by_return:
-            restore(self._run, unit, row, state.saved)
+        self._bring_back(unit, row)
         call = state.calls.pop()
         if call.again is None:
             state.params[1 : ARGUMENTS + 1] = call.arguments
         state.locals = call.locals
-        state.loops, state.frame, state.saved = call.loops, call.frame, call.saved
+        state.loops, state.frame, state.saved, state.returns = call.loops, call.frame, call.saved, call.returns
         self._run.unit, self._run.row = call.unit, call.row + 1
         if call.then is not None:
             call.then()
         return ELSEWHERE
+
+    def _bring_back(self, unit: Unit, row: int) -> None:
+        """The modes that `M73` saved for the end of what was called."""
+        state = self._state
+        if state.returns and state.saved is not None:
+            restore(self._run, unit, row, state.saved)
 
     def _activate(self, unit: Unit, row: int, span: Span, count: int) -> None:
         state = self._state
@@ -217,7 +223,7 @@ class Calls:
             message = f"{DEEPEST} calls are active already; the control takes no more"
             raise state.fault("sub-depth", unit.file, row, span, message)
         state.calls.append(Activation(unit, row, state))
-        state.locals, state.loops, state.saved = {}, [], None
+        state.locals, state.loops, state.saved, state.returns = {}, [], None, False
         state.frame = Frame(state.frame, unit.file, row, Entered.CALL, count)
 
     def _found(self, label: str, unit: Unit, row: int, span: Span) -> Start:

@@ -55,6 +55,8 @@ class _Lines:
         self.numbers: list[int] = []
         """Which lines of the flat program they are."""
         self.places: list[_Place] = []
+        self.unwritten: set[int] = set()
+        """Which of them stand for what a written line does: they are heeded, and not judged."""
 
     def __len__(self) -> int:
         return len(self.texts)
@@ -113,6 +115,12 @@ class Judge:
         """A flat line and where it comes from."""
         self._waiting.append(text, row, (unit, frame), self._job.emitted - 1)
 
+    def heed(self, texts: Sequence[str], unit: Unit, row: int, frame: Frame | None) -> None:
+        """What the last flat line does, said in others: it brings modes back, which its own text does not name."""
+        for text in texts:
+            self._waiting.unwritten.add(len(self._waiting))
+            self.add(text, unit, row, frame)
+
     def copied(
         self, texts: Sequence[str], shapes: Sequence[Shape], unit: Unit, rows: Sequence[int], frame: Frame | None
     ) -> None:
@@ -128,7 +136,7 @@ class Judge:
         steps = self._under(state)
         for at, shape in enumerate(waiting.known_shapes(self._ruleset.dialect)):
             step = steps.get(shape) or self._step(steps, state, shape)
-            if step.on_line or step.on_state:
+            if (step.on_line or step.on_state) and at not in waiting.unwritten:
                 try:
                     self._judge(waiting, at, LineNode(waiting.texts[at], PROGRAM, shape), step, state)
                 except Halt:

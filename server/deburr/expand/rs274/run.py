@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from deburr.expand.job import EXACT
@@ -49,7 +49,7 @@ def run(job: Job) -> Iterator[None]:
 
 
 def worth_running(document: Document) -> bool:
-    """Whether a run can find anything: without parameters, expressions, calls and saved modes that are thrown away there is nothing that a check has not seen."""
+    """Whether a run can find anything: without parameters, expressions, calls and saved modes there is nothing that a check has not seen."""
     for piece in document.pieces():
         for reading, _, shapes in piece.read():
             if reading.start is not None and any(needs_run(shape, reading) for shape in set(shapes)):
@@ -131,14 +131,18 @@ class Run:
                 self._judge.copied(texts, shapes, unit, rows, frame)
         return part.first + len(part.lines), left - len(part.lines)
 
-    def emit(self, text: str, file: str, row: int, frame: Frame | None) -> None:
-        """A flat line: to where they go, or to the contour that is being gathered."""
+    def emit(self, text: str, file: str, row: int, frame: Frame | None, does: Sequence[str] | None = None) -> None:
+        """A flat line: to where they go, or to the contour that is being gathered. ``does``: the lines that do the same, if it does not say that itself."""
         if self.state.contour is not None:
             self.state.contour.append((text, file, row, frame))
             return
         self.job.emit(text, file, row, frame)
-        if self._judge is not None:
+        if self._judge is None:
+            return
+        if does is None:
             self._judge.add(text, self.unit, row, frame)
+        else:
+            self._judge.heed(does, self.unit, row, frame)
 
     def written(self, unit: Unit, row: int, line: Line, pieces: list[Piece], behind: int) -> Op:
         """A line that is calculated, set and written."""

@@ -27,8 +27,9 @@ def saving(run: Run, unit: Unit, row: int, line: Line, codes: frozenset[str]) ->
         rest()
         saved = state.saved
         if not codes.isdisjoint(("M70", "M73")):
-            state.saved = state.slot = Saved(state.machine.modes.copy(), "M73" in codes)
-            emit("M70", unit.file, row, state.frame)
+            state.saved = state.slot = Saved(state.machine.modes.copy())
+            state.returns |= "M73" in codes
+            emit("M70", unit.file, row, state.frame, ())
         elif "M71" in codes:
             state.saved = None
         elif saved is None:
@@ -52,8 +53,11 @@ def restore(run: Run, unit: Unit, row: int, saved: Saved) -> None:
         state.machine.forget()
         return
     lines = state.machine.modes.restoring(saved.modes)
-    for text in ["M72"] if state.slot is saved else lines:
-        run.emit(text, unit.file, row, state.frame)
+    if state.slot is saved:
+        run.emit("M72", unit.file, row, state.frame, lines)
+    else:
+        for text in lines:
+            run.emit(text, unit.file, row, state.frame)
     for text in lines:
         words = _WORD.findall(text)
         state.machine.block([letter for letter, _ in words], [float(number) for _, number in words], False)

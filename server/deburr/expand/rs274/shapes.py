@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.comments import ABORTS
@@ -15,22 +16,25 @@ if TYPE_CHECKING:
 
 RUNS = frozenset(("param", "setting", "group", "function", "atan", "exists", "CALL", "active"))
 """What only a run can tell."""
+_LEAVES = frozenset(("M70", "M71", "M72", "M73", "M98"))
+"""Codes behind which only a run tells what is in force, or whether `M72` may follow."""
 NOT_PLAIN = RUNS | {"o_line", "PERCENT", "DELETE", "NUMBER_USED", "NAME_USED"}
 CONTOURED = frozenset(("G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2"))
 """Lathe cycles that read a subprogram as the contour of the part."""
 FLOW = frozenset(("M2", "M30", "M70", "M71", "M72", "M73", "M98", "M99")) | CONTOURED
 """Codes that end the program, go elsewhere, or need more than their own line."""
-_DROPS = "M71"
-"""Throws saved modes away: whether `M72` may follow only a run tells."""
 _OTHERS = frozenset(("o_line", "PERCENT", "DELETE", "active", "CALL"))
 """What is compiled line by line."""
 _COMMENTS = ("COMMENT", "SEMICOLON_COMMENT")
+_LEAVING = re.compile(r"[mM][ \t0+]*[79]")
+"""Where one of the codes that leave can stand: most shapes need no second look."""
 
 
 def needs_run(shape: Shape, reading: Reading) -> bool:
     """Whether what is wrong with lines of a shape, or with what hangs on them, may be seen by a run alone."""
-    kinds = shape.facts(reading).kinds
-    return not RUNS.isdisjoint(kinds) or ("word" in kinds and _DROPS in codes_of(shape))
+    if not RUNS.isdisjoint(shape.facts(reading).kinds):
+        return True
+    return _LEAVING.search(shape.text) is not None and not _LEAVES.isdisjoint(codes_of(shape))
 
 
 def is_plain(shape: Shape, reading: Reading) -> bool:

@@ -32,19 +32,18 @@ class Loop(NamedTuple):
 
 
 class Saved:
-    """Modes that were saved. ``by_return``: the end of the subprogram brings them back."""
+    """Modes that were saved."""
 
-    __slots__ = ("by_return", "modes")
+    __slots__ = ("modes",)
 
-    def __init__(self, modes: Modes, by_return: bool) -> None:
+    def __init__(self, modes: Modes) -> None:
         self.modes = modes
-        self.by_return = by_return
 
 
 class Activation:
     """A call: where it goes on, and what it hides of its caller."""
 
-    __slots__ = ("again", "arguments", "frame", "locals", "loops", "row", "saved", "then", "unit")
+    __slots__ = ("again", "arguments", "frame", "locals", "loops", "returns", "row", "saved", "then", "unit")
 
     def __init__(self, unit: Unit, row: int, state: State) -> None:
         self.unit = unit
@@ -54,6 +53,7 @@ class Activation:
         self.loops = state.loops
         self.frame = state.frame
         self.saved = state.saved
+        self.returns = state.returns
         self.again: tuple[Unit, int, int] | None = None
         """Of a program that M98 called: where it starts, and how often it runs once more."""
         self.then: Callable[[], None] | None = None
@@ -77,6 +77,8 @@ class State:
         self.value_returned = 0.0
         self.saved: Saved | None = None
         """What M70 or M73 saved at this level of calls."""
+        self.returns = False
+        """Whether the end of this call brings back what is saved: `M73` says so, and neither `M70` nor `M71` takes it back."""
         self.slot: Saved | None = None
         """What the flat program has saved: it has one place for all levels."""
         self.leaks = Leaks()
