@@ -32,9 +32,10 @@ _LEAVING = re.compile(r"[mM][ \t0+]*[79]")
 
 def needs_run(shape: Shape, reading: Reading) -> bool:
     """Whether what is wrong with lines of a shape, or with what hangs on them, may be seen by a run alone."""
-    if not RUNS.isdisjoint(shape.facts(reading).kinds):
+    facts = shape.facts(reading)
+    if not RUNS.isdisjoint(facts.kinds):
         return True
-    return _LEAVING.search(shape.text) is not None and not _LEAVES.isdisjoint(codes_of(shape))
+    return not facts.problems and _LEAVING.search(shape.text) is not None and not _LEAVES.isdisjoint(codes_of(shape))
 
 
 def is_plain(shape: Shape, reading: Reading) -> bool:
