@@ -34,6 +34,7 @@ MET = {
     "o-label-integer 2 1-7": "#1=1\no[#1/2] call\nM2\n",
     "abort 2 0-10": "#1=0\n(ABORT,#1)\nM2\n",
     "restore-unsaved 2 0-3": "o1 sub\nM72\no1 endsub\no1 call\nM2\n",
+    "program-end-missing 2 0-0": "#5=3\nM#5\n\n",
     "negative-value 3 6-10": "#1=2\nF100\nG1 X1 F-#1\nM2\n",
     "feed-missing 2 0-2": f"{SUB.replace('G0', 'G1')}o1 call\nM2\n",
     "feed-zero 2 0-2": "#1=0 F1\nG1 X1 F#1\nM2\n",
@@ -276,6 +277,20 @@ def test_a_check_follows_saved_modes_that_are_thrown_away() -> None:
 def test_a_program_that_its_file_does_not_have_is_sought_nowhere_else() -> None:
     fault = expansion("M98 P2\nM30\nO2\nM99\n", {"2.ngc": "G0 X1\nM2\n"}).faults[-1]
     assert (fault.kind, fault.line, fault.message.split(",")[0]) == ("sub-file", 0, "`2.ngc` has no program `O2`")
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        "#5=2\nM#5\n(x)\n",
+        "o1 repeat [2]\n#5=[#5+15] M#5\no1 endrepeat\n",
+        "#5=3\nM#5\nM2\n",
+        "%\n#5=3\nM#5\n%\n",
+        "#5=3\nM#5\n/M2\n",
+    ],
+)
+def test_a_program_with_a_computed_m_code_may_end(program: str) -> None:
+    assert "program-end-missing" not in {fault.kind for fault in expansion(program).faults}
 
 
 INPUT = {

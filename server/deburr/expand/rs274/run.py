@@ -39,6 +39,10 @@ _WATCHED = re.compile(
     r"#[ \t]*(?:5|#|\[)|[mM][ \t]*0*[ \t]*(?:7[ \t]*[03]|9[ \t]*8)|[gG][ \t]*0*[ \t]*9[ \t]*1(?![ \t]*[.0-9])|[gG][ \t]*[#\[]"
 )
 """What can read the position or bring modes back, moves in steps, or calls who knows what."""
+_UNSURE = re.compile(r"(?m)^[ \t]*/|\(not_a_subfile\)")
+"""What may be passed over at the machine, or is no program of its own."""
+_ENDS = (2, 30, 98, 99)
+"""M codes that end a program, or lead where it may end."""
 _GLOBAL = re.compile(r"#[ \t]*(<[ \t]*_[^<>\n]*>)")
 
 
@@ -71,6 +75,10 @@ class Run:
         self._flow = Flow(self)
         self._templates = Templates(self)
         self._percent = False
+        self._computed = False
+        """Whether a line with a computed M code was met."""
+        self._may_have_ended = False
+        """Whether such a code was one of those that end a program, or lead into another."""
         self._judge: Judge | None = None
         decimals = job.inputs.decimals
         self._decimals = self._coordinates = DECIMALS if decimals is None else decimals
@@ -94,6 +102,7 @@ class Run:
                 steps = left = self.job.slice(unit.file, min(row, last - 1), self.state.frame)
                 while left and row >= 0:
                     if row >= last:
+                        self._endless(unit)
                         row = END
                         break
                     left -= 1
@@ -112,6 +121,15 @@ class Run:
             self._finish()
             raise
         self._finish()
+
+    def _endless(self, unit: Unit) -> None:
+        """Stop behind the last line where a check could not know that a computed M code does not end the program."""
+        text = unit.document.text
+        if not self._computed or self._may_have_ended or self._percent or unit is not self.main or _UNSURE.search(text):
+            return
+        row = text.rstrip().count("\n")
+        message = "the program ends without M2, M30 or `%`: no computed M code was one; the control stops here"
+        raise self.state.fault("program-end-missing", unit.file, row, Span(0, 0), message)
 
     def _copied(self, unit: Unit, left: int) -> tuple[int, int]:
         """Copy lines of the stretch that was found, as many as may be run; where the run goes on, and how many may still be run."""
@@ -176,12 +194,16 @@ class Run:
         emit, file, state, watch = self.emit, unit.file, self.state, self._watch
         comment, sets = line.comment, bool(line.settings)
         maybe = line.deleted and self.job.inputs.block_delete is None
+        computed = [at for at, word in enumerate(line.words) if word.letter == "M" and not word.code]
+        self._computed |= bool(computed)
         minus_zero, letters = self._minus_zero, [word.letter for word in line.words]
         decimals = self._decimals if GEOMETRY.isdisjoint(letters) else self._coordinates
         rounded = [at for at in pieces if isinstance(at, int) and at >= 0 and letters[at] in AXES]
         chained, chains = watch and bool(rounded) and decimals < EXACT, state.machine.chains
 
         def put_down(values: list[float]) -> None:
+            for at in computed:
+                self._may_have_ended |= round(values[at]) in _ENDS
             said = chains.rounded(letters, values, rounded) if chained and state.contour is None else values
             text = text_of(pieces, said, comment, decimals, minus_zero)
             if watch:
