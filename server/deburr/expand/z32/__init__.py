@@ -6,4 +6,6 @@ FOLLOWS = ("block_delete", "keep_n", "decimals")
 CHECKS = True
 ONLY_WHAT_RUNS = True
 """Of lines that never run only the form is judged (spec/z32.md §11)."""
-__all__ = ["CHECKS", "FOLLOWS", "ONLY_WHAT_RUNS", "run", "worth_running"]
+JOINS = True
+"""Several programs run one after the other, each with parameters of its own."""
+__all__ = ["CHECKS", "FOLLOWS", "JOINS", "ONLY_WHAT_RUNS", "run", "worth_running"]
