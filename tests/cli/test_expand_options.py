@@ -189,7 +189,13 @@ def test_a_signal_ends_an_endless_run(shell):
     shell.write("p.z32", "N5\nN10 G1 X1\n!GON10!\n")
     command = [sys.executable, "-m", "deburr", "expand", "p.z32", "--max-steps", "0", "--max-blocks", "0", "-o", "flat"]
     with subprocess.Popen(
-        command, cwd=shell.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
+        command,
+        cwd=shell.folder,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        # A shell that puts the tests into the background lets all that they start ignore it.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     ) as running:
         # Once its temporary file is open, the run is under way.
         held = Path(f"/proc/{running.pid}/fd")
