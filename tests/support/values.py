@@ -41,6 +41,17 @@ def known(analysis: Analysis) -> Known | None:
     return None if program is None else _of(program)
 
 
+def known_generally(analysis: Analysis) -> Known | None:
+    """What is proven whatever routines are called with and constants are; None where nothing is said of the program."""
+    program = values_of(analysis)
+    if program is None:
+        return None
+    if program.general is not program:
+        for _ in program.general.solving():
+            pass
+    return _of(program.general)
+
+
 def _of(program: Program) -> Known:
     before: dict[int, dict[Key, Value]] = {}
     taking: set[int] = set()

@@ -16,7 +16,7 @@ from deburr.values.solve import Solution
 from deburr.values.words import said
 from deburr_grammar.dialect import Role
 from support.programs import generated
-from support.values import MAIN, Known, analysed, known
+from support.values import MAIN, Known, analysed, known, known_generally
 
 FRAME = "G21 G90 G17 F100\n"
 MEANT: dict[str, tuple[str, int, Key, str]] = {
@@ -116,10 +116,10 @@ def test_runs_see_what_is_proven(first: int) -> None:
 def _watched(seed: int) -> int:
     program = generated(seed)
     analysis = analysed(program.text, "rs274", program.files)
-    found = known(analysis)
-    if found is None:
+    found, general = known(analysis), known_generally(analysis)
+    if found is None or general is None:
         return 0
-    watch = _Watch(analysis, found)
+    watch = _Watch(analysis, found, general)
     with watch.watching():
         job = Job(
             (Program(MAIN, analysis.document),),
@@ -138,8 +138,9 @@ def _watched(seed: int) -> int:
 class _Watch:
     """Looks at the parameters before each line that is executed."""
 
-    def __init__(self, analysis: Analysis, found: Known) -> None:
+    def __init__(self, analysis: Analysis, found: Known, general: Known) -> None:
         self._known = found
+        self._general = general
         self._subs = {row for row, bracket in analysis.document.brackets() if bracket.role is Role.REGION}
         self.wrong: list[tuple[object, ...]] = []
         self.seen = 0
@@ -172,7 +173,10 @@ class _Watch:
             yield
 
     def _look(self, row: int, state: State) -> None:
-        env = self._known.before.get(row)
+        for proven in (self._known, self._general):
+            self._compare(row, state, proven.before.get(row))
+
+    def _compare(self, row: int, state: State, env: Env | None) -> None:
         if env is None:
             self.wrong.append((row, "is reached"))
         for key, value in (env or {}).items():
@@ -195,9 +199,9 @@ def _gone_through(text: str, monkeypatch: pytest.MonkeyPatch) -> list[int]:
     made: list[int] = []
 
     class Counted(Solution):
-        def __init__(self, graph: Graph, entry: Env, calls: Calls) -> None:
+        def __init__(self, graph: Graph, entry: Env, calls: Calls, forgotten: frozenset[Key]) -> None:
             made.append(len(graph.nodes))
-            super().__init__(graph, entry, calls)
+            super().__init__(graph, entry, calls, forgotten)
 
     with monkeypatch.context() as patch:
         patch.setattr("deburr.values.program.Solution", Counted)

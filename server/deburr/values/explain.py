@@ -38,7 +38,10 @@ class Explanation:
 
     def related(self, routine: Routine, node: int) -> Iterator[Related]:
         """What led to a node with the values that it uses, the nearest first."""
-        solution = self._program.solved[routine.name].solution
+        solved = self._program.solved.get(routine.name)
+        if solved is None:
+            return islice(self._callers(routine, "called here, where nothing comes"), _SHOWN)
+        solution = solved.solution
         used = sorted((key for key in routine.graph.nodes[node].used if key is not None), key=str)
         found = dict.fromkeys(islice(self._led(routine, solution, node, used, _DEPTH), 4 * _SHOWN))
         return islice(found, _SHOWN)
@@ -81,14 +84,19 @@ class Explanation:
         entry = self._program.entry(routine.name)
         if key not in entry or key in routine.graph.locals:
             return
+        yield from self._callers(routine, "called here")
+
+    def _callers(self, routine: Routine, why: str) -> Iterator[Related]:
+        """The calls of a routine: those that are reached, or all if none is."""
         for other, solved in self._program.solved.items():
             caller = self._program.routines[other]
-            if routine.name not in solved.called:
+            is_reached = routine.name in solved.called
+            if not is_reached and routine.name in self._program.solved:
                 continue
-            for number in sorted(solved.solution.before):
+            for number in sorted(solved.solution.before if is_reached else caller.graph.nodes):
                 place = caller.graph.nodes[number]
                 if place.callee == routine.name:
-                    yield Related(self._around(caller, place), "called here")
+                    yield Related(self._around(caller, place), why)
 
     def _around(self, routine: Routine, node: Node) -> Place:
         """A node's condition, or its whole line."""

@@ -6,6 +6,7 @@ from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
+from deburr.finding import Severity
 from deburr.values.domain import ANY, UNSET, Value, joined, widened
 from deburr_grammar.text import Span
 
@@ -20,14 +21,25 @@ Flows = Sequence[tuple[int, Env]]
 
 
 class Proof(Exception):
-    """What is certain to go wrong at a place: a rule's short name, the columns, and why in the user's words. ``used``: the variables that it hangs on."""
+    """What is certain to go wrong at a place: a rule's short name, the columns, and why in the user's words.
 
-    def __init__(self, kind: str, span: Span, message: str, used: frozenset[Key] = frozenset()) -> None:
+    ``used``: the variables that it hangs on. ``severity``: where it weighs less than its rule does elsewhere.
+    """
+
+    def __init__(
+        self,
+        kind: str,
+        span: Span,
+        message: str,
+        used: frozenset[Key] = frozenset(),
+        severity: Severity | None = None,
+    ) -> None:
         super().__init__(message)
         self.kind = kind
         self.span = span
         self.message = message
         self.used = used
+        self.severity = severity
 
 
 class Summary(NamedTuple):
@@ -50,12 +62,17 @@ class Calls(Protocol):
 
 
 class Dead(NamedTuple):
-    """A way that a place ought to take now and then: where it leads, and what is said, by which rule, if no values ever go there."""
+    """A way that a place ought to take now and then: where it leads, and what is said, by which rule, if no values ever go there.
+
+    It is said only where that holds whatever the routine is called with and whatever is written where a variable
+    is set once and for all: what hangs on these is a switch that somebody set on purpose.
+    """
 
     target: int
     kind: str
     span: Span
     message: str
+    severity: Severity | None = None
 
 
 class Node(NamedTuple):
@@ -75,7 +92,7 @@ class Node(NamedTuple):
     callee: str | None = None
     calls: bool = False
     remark: Callable[[], Proof | None] = lambda: None
-    dead: Dead | None = None
+    dead: tuple[Dead, ...] = ()
 
 
 class Head(NamedTuple):
@@ -101,7 +118,8 @@ class Graph:
     """A routine's flow: nodes under their numbers, in the order of lines; where it starts; at which of them it comes round again.
 
     ``locals``: variables that are its own and not set at first. ``mentions``: all that it reads or sets itself; ``reads`` and ``writes``:
-    what it shares with others and reads or sets itself; None: who knows what.
+    what it shares with others and reads or sets itself; None: who knows what. ``constants``: variables that are set at one place, and
+    might as well have been given another value there.
     """
 
     nodes: Mapping[int, Node]
@@ -112,29 +130,25 @@ class Graph:
     reads: frozenset[Key] | None
     writes: frozenset[Key] | None
     callees: frozenset[str]
+    constants: frozenset[Key] = frozenset()
 
 
 def join(one: Env, two: Env) -> Env:
     """What holds on both ways."""
-    if one is two:
-        return one
-    found = {}
-    for key, value in one.items():
-        other = two.get(key)
-        if other is not None:
-            both = value if value is other else joined(value, other)
-            if both != ANY:
-                found[key] = both
-    return found
+    return one if one is two else _merged(one, two, joined)
 
 
 def widen(old: Env, new: Env) -> Env:
     """What holds on both ways and comes to rest."""
+    return _merged(old, new, widened)
+
+
+def _merged(one: Env, two: Env, merge: Callable[[Value, Value], Value]) -> Env:
     found = {}
-    for key, value in old.items():
-        other = new.get(key)
+    for key, value in one.items():
+        other = two.get(key)
         if other is not None:
-            both = value if value is other else widened(value, other)
+            both = value if value is other else merge(value, other)
             if both != ANY:
                 found[key] = both
     return found

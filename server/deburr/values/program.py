@@ -8,7 +8,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections import Counter, OrderedDict
 from collections.abc import Generator, Hashable, Iterator, Mapping, Sequence
-from functools import reduce
+from functools import cached_property, reduce
 from typing import NamedTuple
 
 from deburr.values.domain import Value, joined
@@ -48,8 +48,10 @@ class Solved(NamedTuple):
 class Program:
     """The values of a program, routine by routine."""
 
-    def __init__(self, routines: Mapping[str, Routine]) -> None:
+    def __init__(self, routines: Mapping[str, Routine], general: bool = False) -> None:
+        """``general``: whatever routines are called with, and whatever is written where a variable is set once and for all."""
         self.routines = routines
+        self.is_general = general
         self.solved: dict[str, Solved] = {}
         self._summaries: dict[str, Summary] = {}
         self._entries: dict[str, Env] = {}
@@ -62,6 +64,17 @@ class Program:
                 self._callers[callee].append(routine.name)
         for name in routines:
             self._summaries[name] = Summary(None, self._reached(name, False), self._reached(name, True))
+
+    @cached_property
+    def general(self) -> Program:
+        """The same, as it is whatever its routines are called with and its constants are; itself where nothing hangs on these."""
+        graphs = [routine.graph for routine in self.routines.values()]
+        alone = self.is_general or not any(graph.callees or graph.constants for graph in graphs)
+        return self if alone else Program(self.routines, general=True)
+
+    def forgotten(self, graph: Graph) -> frozenset[Key]:
+        """The variables of a routine of which nothing is to be known."""
+        return graph.constants if self.is_general else frozenset()
 
     def entry(self, name: str) -> Env:
         """What a routine is called with, all calls together."""
@@ -197,6 +210,7 @@ class _Ledger:
             env = {key: value for key, value in shared.items() if touched is None or key in touched}
             mentions = self._program.routines[label].graph.mentions
             env.update((key, value) for key, value in arguments.items() if mentions is None or key in mentions)
+            env = {} if self._program.is_general else env
             known = self.called.get(label)
             self.called[label] = env if known is None else join(known, env)
             self._program.ahead(label, env)
@@ -213,14 +227,15 @@ _kept: OrderedDict[Hashable, list[Solved]] = OrderedDict()
 
 def _solved(routine: Routine, entry: Env, program: Program) -> Generator[None, None, Solved]:
     """The values of a routine: those that are kept, if it was told the same of its calls before."""
-    key = (routine.graph, frozenset(entry.items()))
+    forgotten = program.forgotten(routine.graph)
+    key = (routine.graph, frozenset(entry.items()), forgotten)
     versions = _kept.setdefault(key, [])
     _kept.move_to_end(key)
     for solved in versions:
         if program.tells(solved):
             return solved
     ledger = _Ledger(program)
-    found = Solved(Solution(routine.graph, entry, ledger), ledger.called, ledger.told)
+    found = Solved(Solution(routine.graph, entry, ledger, forgotten), ledger.called, ledger.told)
     yield from found.solution.steps()
     versions.insert(0, found)
     del versions[_VERSIONS:]

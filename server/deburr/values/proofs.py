@@ -8,40 +8,47 @@ from typing import TYPE_CHECKING
 from deburr.finding import Finding
 from deburr.rule import Proven, Report
 from deburr.values.explain import Explanation
-from deburr.values.graph import Loop, Proof
+from deburr.values.graph import Dead, Loop, Proof
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
     from deburr.values.program import Program, Routine
     from deburr.values.solve import Solution
 
+Written = Callable[[Hashable], str]
+UNREACHED = "sub-unreachable"
+"""The rule of a routine that is called only where the program never comes."""
 
-def findings(program: Program, analysis: Analysis, written: Callable[[Hashable], str]) -> Iterator[Finding]:
-    """All that is proven of all routines that can be reached, if its rule is on."""
+
+def findings(program: Program, analysis: Analysis, written: Written) -> Iterator[Finding | None]:
+    """All that is proven of all routines that can be reached, if its rule is on; None wherever the work can be left."""
     explained = Explanation(program, analysis, written)
     for name, solved in program.solved.items():
         routine = program.routines[name]
         for node, proof in _proofs(routine, solved.solution, analysis):
-            rule = analysis.ruleset.named(proof.kind)
-            if rule is None or rule not in analysis.ruleset.rules:
-                continue
-            own = rule.check(proof) if isinstance(rule.trigger, Proven) else [Report(proof.span, proof.message)]
-            related = tuple(explained.related(routine, node))
-            for report in own:
-                place = explained.place(routine, node, report.span)
-                yield Finding(
-                    rule.name, analysis.ruleset.severity(rule, report.severity), report.message, place, related
-                )
+            yield from _found(explained, routine, node, proof, analysis)
+    yield from _idle(program, analysis, written)
+
+
+def _found(explained: Explanation, routine: Routine, node: int, proof: Proof, analysis: Analysis) -> Iterator[Finding]:
+    rule = analysis.ruleset.named(proof.kind)
+    if rule is None or rule not in analysis.ruleset.rules:
+        return
+    own = rule.check(proof) if isinstance(rule.trigger, Proven) else [_report(proof)]
+    related = tuple(explained.related(routine, node))
+    for report in own:
+        place = explained.place(routine, node, report.span)
+        yield Finding(rule.name, analysis.ruleset.severity(rule, report.severity), report.message, place, related)
+
+
+def _report(proof: Proof) -> Report:
+    return Report(proof.span, proof.message, severity=proof.severity)
 
 
 def _proofs(routine: Routine, solution: Solution, analysis: Analysis) -> Iterator[tuple[int, Proof]]:
     for node, proof in sorted({**solution.remarks, **solution.proofs}.items()):
         if _everywhere(routine, solution, node, proof):
             yield node, proof
-    for node in sorted(solution.before):
-        dead = routine.graph.nodes[node].dead
-        if dead is not None and node not in solution.proofs and dead.target not in solution.targets(node):
-            yield node, Proof(dead.kind, dead.span, dead.message)
     for loop in routine.graph.loops:
         if _is_endless(solution, loop):
             row = routine.rows[routine.graph.nodes[loop.test].line]
@@ -59,6 +66,50 @@ def _everywhere(routine: Routine, solution: Solution, node: int, proof: Proof) -
     others = (each for each in solution.before if (routine.files[each], routine.rows[each]) == place)
     known = {**solution.remarks, **solution.proofs}
     return all(each in known and known[each].kind == proof.kind for each in others)
+
+
+def _idle(program: Program, analysis: Analysis, written: Written) -> Iterator[Finding | None]:
+    """Ways that are never taken and routines that are never reached, whatever the switches of the program are set to."""
+    routines = [program.routines[name] for name in program.solved]
+    unreached = [name for name in program.routines if name not in program.solved and _is_called(program, name)]
+    if not unreached and not any(_ways(routine, program.solved[routine.name].solution) for routine in routines):
+        return
+    general = program.general
+    if general is not program:
+        for _ in general.solving():
+            yield None
+    explained = Explanation(general, analysis, written)
+    for routine in routines:
+        if routine.name in general.solved:
+            for node, dead in _ways(routine, general.solved[routine.name].solution):
+                proof = Proof(dead.kind, dead.span, dead.message, severity=dead.severity)
+                yield from _found(explained, routine, node, proof, analysis)
+    for name in unreached:
+        if name not in general.solved:
+            yield from _unreached(general, explained, name, analysis)
+
+
+def _ways(routine: Routine, solution: Solution) -> list[tuple[int, Dead]]:
+    """The ways that no values go, at nodes that can be reached and passed."""
+    return [
+        (node, dead)
+        for node in sorted(solution.before)
+        for dead in routine.graph.nodes[node].dead
+        if node not in solution.proofs and solution.targets(node) and dead.target not in solution.targets(node)
+    ]
+
+
+def _is_called(program: Program, name: str) -> bool:
+    return any(name in program.routines[each].graph.callees for each in program.solved)
+
+
+def _unreached(program: Program, explained: Explanation, name: str, analysis: Analysis) -> Iterator[Finding]:
+    routine = program.routines[name]
+    first = min(routine.graph.nodes, default=None)
+    if first is None or (span := routine.graph.nodes[first].condition) is None:
+        return
+    message = "this is called only where the program never comes, so that it never runs"
+    yield from _found(explained, routine, first, Proof(UNREACHED, span, message), analysis)
 
 
 def _is_endless(solution: Solution, loop: Loop) -> bool:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from heapq import heapify, heappop, heappush
 
-from deburr.values.graph import RETURN, STOP, Calls, Env, Graph, Proof, join, joined_all, widen
+from deburr.values.graph import RETURN, STOP, Calls, Env, Graph, Key, Proof, join, joined_all, widen
 
 _PATIENCE = 2
 """Rounds in which a loop's values may grow as they like; after that they go to resting places."""
@@ -20,8 +20,10 @@ _PACE = 100
 class Solution:
     """The values before each node that can be reached, and what leaves the routine."""
 
-    def __init__(self, graph: Graph, entry: Env, calls: Calls) -> None:
+    def __init__(self, graph: Graph, entry: Env, calls: Calls, forgotten: frozenset[Key] = frozenset()) -> None:
+        """``forgotten``: variables of which nothing is known behind the places that set them."""
         self.graph = graph
+        self._forgotten = forgotten
         self._calls = calls
         self._came: dict[int, dict[int, Env]] = {node: {} for node in (*graph.nodes, RETURN, STOP)}
         self._targets: dict[int, tuple[int, ...]] = {}
@@ -133,7 +135,10 @@ class Solution:
         self.proofs.pop(node, None)
         here = self.graph.nodes[node]
         try:
+            gone = self._forgotten & here.sets if self._forgotten else None
             for target, values in here.flow(env, self._calls):
+                if gone:
+                    values = {key: value for key, value in values.items() if key not in gone}
                 found[target] = join(found[target], values) if target in found else values
         except Proof as proof:
             self.proofs[node] = proof

@@ -143,7 +143,7 @@ def _asked(at: int, left: Item, word: str, right: Item, numeric: bool, ways: tup
         return ((otherwise, env),) if learned is None else ((then, learned), (otherwise, env))
 
     message = "what the conditions around it say contradicts this one: its lines are never generated"
-    dead = Dead(then, "if-contradiction", span, message) if own and used and then != otherwise else None
+    dead = (Dead(then, "if-contradiction", span, message),) if own and used and then != otherwise else ()
     return Node(at, decided if numeric else compared, used, condition=span, dead=dead)
 
 

@@ -6,20 +6,25 @@ from collections.abc import Callable, Hashable, Sequence
 from typing import TYPE_CHECKING
 
 from deburr.arithmetic.rs274 import TOLERANCE
+from deburr.finding import Severity
 from deburr.values.domain import NO
-from deburr.values.graph import RETURN, STOP, Calls, Env, Flows, Loop, Proof
+from deburr.values.graph import RETURN, STOP, Calls, Dead, Env, Flows, Loop, Proof
 from deburr.values.rs274.conditions import Conditions
-from deburr.values.rs274.expressions import ARGUMENTS, Expressions
+from deburr.values.rs274.expressions import ARGUMENTS, NEAR, Expressions
 from deburr.values.rs274.keys import ANYTHING, UNSEEN, is_shared, put, set_by
 from deburr.values.rs274.lines import aborts
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node as Part
+from deburr_grammar.tree import walk
 
 if TYPE_CHECKING:
     from deburr.values.rs274.conditions import Learn
     from deburr.values.rs274.expressions import Get
     from deburr.values.rs274.flow import Builder
     from deburr.values.rs274.lines import Taken
+
+
+CONSTANT = "condition-constant"
 
 
 class Torn(Exception):
@@ -67,22 +72,30 @@ class Commands:
         block = builder.blocks.get(at)
         match word:
             case "SUB":
-                self._jump(builder.behind(at))
+                self._sub()
             case "RETURN" | "ENDSUB":
                 self._return()
             case "IF" if block is not None:
-                self._decide(2 * at, builder.behind(at), self._otherwise(block, at))
+                self._choose(2 * at, block)
             case "ELSEIF" | "ELSE" if block is not None:
                 self._jump(2 * block.last)
                 if word == "ELSEIF":
-                    self._decide(2 * at + 1, builder.behind(at), self._otherwise(block, at))
+                    self._choose(2 * at + 1, block)
+            case "ENDIF" if block is not None:
+                self._jump(builder.behind(at))
+                self._jump(builder.behind(at), 2 * at + 1)
             case "WHILE" if block is not None and block.first == at:
                 builder.heads[2 * at] = 2 * block.last
-                self._decide(2 * at, builder.behind(at), builder.behind(block.last))
+                never = "never holds when the program comes here, so that the loop makes no pass"
+                self._decide(
+                    2 * at, builder.behind(at), builder.behind(block.last), self._idle(builder.behind(at), never)
+                )
                 self._loop(block, 2 * at, at)
             case "WHILE" if block is not None:
                 builder.heads[2 * (block.first + 1)] = 2 * block.last
-                self._decide(2 * at, 2 * (block.first + 1), builder.behind(at))
+                never = "never holds here, so that the loop makes one pass only"
+                first = 2 * (block.first + 1)
+                self._decide(2 * at, first, builder.behind(at), self._idle(first, never))
                 self._loop(block, 2 * (block.first + 1), at)
             case "ENDWHILE" if block is not None:
                 self._jump(2 * block.first)
@@ -174,12 +187,13 @@ class Commands:
         sets: Sequence[Hashable] = (),
         condition: Span | None = None,
         number: int | None = None,
+        dead: tuple[Dead, ...] = (),
     ) -> None:
         number = 2 * self._at if number is None else number
-        self._builder.add(number, self._at, flow, self._expressions, sets, condition)
+        self._builder.add(number, self._at, flow, self._expressions, sets, condition, dead=dead)
 
-    def _jump(self, to: int) -> None:
-        self._add(lambda env, calls: ((to, env),))
+    def _jump(self, to: int, number: int | None = None) -> None:
+        self._add(lambda env, calls: ((to, env),), number=number)
 
     def _return(self) -> None:
         values = [self._expressions.value(group) for group in self._groups]
@@ -191,7 +205,38 @@ class Commands:
 
         self._add(returned)
 
-    def _decide(self, number: int, then: int, otherwise: int) -> None:
+    def _sub(self) -> None:
+        o_line, behind = self._o_line, self._builder.behind(self._at)
+        span = Span(o_line.start, o_line.end) if o_line is not None else None
+        self._add(lambda env, calls: ((behind, env),), condition=span)
+
+    def _choose(self, number: int, block: Block) -> None:
+        """A condition of an `if`. An `elseif` that only says what is left is no fault, nor a branch that only stops the program."""
+        then, otherwise = self._builder.behind(self._at), self._otherwise(block, self._at)
+        dead: tuple[Dead, ...] = ()
+        is_last = otherwise == 2 * block.last + 1
+        if not self._is_guard(block):
+            dead = self._idle(then, "never holds here, so that what stands under it is never run", CONSTANT)
+        if not is_last or number == 2 * self._at:
+            always = "always holds here" + ("" if is_last else "; the branches behind it are never run")
+            dead += self._idle(otherwise, always, CONSTANT, Severity.INFO)
+        self._decide(number, then, otherwise, dead)
+
+    def _is_guard(self, block: Block) -> bool:
+        last = next((middle for middle in block.middles if middle > self._at), block.last)
+        return any(aborts(line.node.text) for line in self._builder.lines[self._at + 1 : last])
+
+    def _idle(
+        self, target: int, why: str, kind: str = "loop-idle", severity: Severity | None = None
+    ) -> tuple[Dead, ...]:
+        """A way that this line's condition never goes. Of one without parameters, or with EXISTS, nobody expects that it hangs on anything."""
+        group = self._groups[0]
+        parts = {part.kind for part in walk(group)}
+        if "param" not in parts or "exists" in parts:
+            return ()
+        return (Dead(target, kind, Span(group.start, group.end), f"`{self._expressions.said(group)}` {why}", severity),)
+
+    def _decide(self, number: int, then: int, otherwise: int, dead: tuple[Dead, ...]) -> None:
         learn, get = self._learn()
         condition = self._groups[0]
 
@@ -200,7 +245,7 @@ class Commands:
             ways = ((then, learn(env, True)), (otherwise, learn(env, False)))
             return tuple((to, values) for to, values in ways if values is not None)
 
-        self._add(decided, condition=Span(condition.start, condition.end), number=number)
+        self._add(decided, condition=Span(condition.start, condition.end), number=number, dead=dead)
 
     def _learn(self) -> tuple[Learn, Get]:
         conditions = Conditions(self._line.node.text, self._expressions, TOLERANCE[self._builder.settings["compare"]])
@@ -210,7 +255,7 @@ class Commands:
         """Where it goes on when the condition of a line does not hold."""
         other = next((middle for middle in block.middles if middle > at), None)
         if other is None:
-            return 2 * block.last
+            return 2 * block.last + 1
         bracket = self._builder.lines[other].bracket
         is_elseif = bracket is not None and bracket.word.upper() == "ELSEIF"
         return 2 * other + 1 if is_elseif else 2 * (other + 1)
@@ -222,13 +267,31 @@ class Commands:
             self._builder.behind(block.last),
         )
         group = self._groups[0]
+        span, said = Span(group.start, group.end), self._expressions.said(group)
+        remarks: list[Proof] = []
+        literal = all(part.kind != "param" for part in walk(group))
 
         def counted(env: Env, calls: Calls) -> Flows:
             times = get(env)
+            remarks.clear()
+            if not literal and times.exact and abs(times.low - round(times.low)) > NEAR:
+                message = (
+                    f"`{said}` is {times.low:g} here, which is no integer; the control rounds it to {round(times.low)}"
+                )
+                remarks.append(Proof("repeat-fraction", span, message))
             ways = [(body, env)] if times.wild or times.high > 0.5 else []
             return (*ways, *([(behind, env)] if times.wild or times.low <= 0.5 else []))
 
-        self._add(counted, condition=Span(group.start, group.end))
+        dead = self._idle(body, "is never more than 0 here, so that the loop makes no pass")
+        self._builder.add(
+            2 * self._at,
+            self._at,
+            counted,
+            self._expressions,
+            condition=span,
+            dead=dead,
+            remark=lambda: remarks[0] if remarks else None,
+        )
 
     def _repeated(self, block: Block) -> None:
         ways = (2 * (block.first + 1), self._builder.behind(self._at))

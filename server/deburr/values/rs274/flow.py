@@ -1,14 +1,16 @@
 """The flow of an RS274 main program or subprogram as a graph: lines, blocks, loops, calls and returns (spec/rs274.md §6). Solves nothing.
 
-Lines have even numbers. A condition of `elseif` has the odd one behind its line, because who comes to the line itself comes from a branch that ran.
+Lines have even numbers. A condition of `elseif` has the odd one behind its line, because who comes to the line itself comes from a branch that ran;
+to that of `endif` come those for whom no condition held.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from deburr.values.graph import RETURN, STOP, Calls, Env, Flows, Graph, Head, Loop, Node
+from deburr.values.graph import RETURN, STOP, Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof
 from deburr.values.rs274.commands import Block, Commands, Torn
 from deburr.values.rs274.expressions import Expressions
 from deburr.values.rs274.keys import ANYTHING, is_predefined, is_shared, shared
@@ -35,14 +37,15 @@ class Builder:
         self.heads: dict[int, int] = {}
         self.callees: set[str] = set()
         self._used: set[Hashable] = set()
-        self._sets: set[Hashable] = set()
+        self._sets: Counter[Hashable] = Counter()
+        """What is set, with the number of lines that do so."""
 
     def graph(self) -> Graph:
         """The routine's flow."""
         self._pair()
         for at, line in enumerate(self.lines):
             self._take(at, line)
-        everything = self._used | self._sets
+        everything = self._used | self._sets.keys()
         own = frozenset(key for key in everything if isinstance(key, str) and not key.startswith("_"))
         return Graph(
             self._nodes,
@@ -51,8 +54,9 @@ class Builder:
             own,
             None if None in everything else frozenset(everything),
             shared(self._used),
-            shared(self._sets),
+            shared(set(self._sets)),
             frozenset(self.callees),
+            frozenset(key for key, times in self._sets.items() if times == 1),
         )
 
     def _head(self, first: int, last: int) -> Head:
@@ -120,6 +124,8 @@ class Builder:
         condition: Span | None = None,
         callee: str | None = None,
         calls: bool = False,
+        dead: tuple[Dead, ...] = (),
+        remark: Callable[[], Proof | None] = lambda: None,
     ) -> None:
         """Take a node in. ``sets``: what it may set; None among them: who knows which number."""
 
@@ -129,7 +135,7 @@ class Builder:
 
         used = frozenset(expressions.used)
         self._used |= used
-        self._sets |= set(sets)
+        self._sets.update(set(sets))
         self._nodes[number] = Node(
-            at, flowing, used, frozenset(sets), condition, lambda: expressions.doubtful, callee, calls
+            at, flowing, used, frozenset(sets), condition, lambda: expressions.doubtful, callee, calls, remark, dead
         )
