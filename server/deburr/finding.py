@@ -34,6 +34,8 @@ class Related(NamedTuple):
 
     place: Place
     message: str
+    entered: bool = False
+    """Whether a run was in it, as in a call or a pass of a loop; these come innermost first."""
 
 
 class Fix(NamedTuple):

@@ -113,7 +113,7 @@ def _stack(stack: Frame | None) -> Iterator[Related]:
     """The calls, files and loop passes around a fault, innermost first."""
     for frame in islice(stack.outward(), _SHOWN) if stack is not None else ():
         place = Place(frame.file, frame.row, 0, frame.row, 0)
-        yield Related(place, _SAID[frame.kind].format(frame.number))
+        yield Related(place, _SAID[frame.kind].format(frame.number), entered=True)
 
 
 def before_a_run(found: Iterable[Finding], dialect: Dialect, programs: int = 1) -> list[Finding]:

@@ -1,6 +1,7 @@
 """What the reports look like, to the byte."""
 
 import json
+from hashlib import blake2b
 
 from deburr.cli.reporters.full import report
 from deburr.cli.result import Result
@@ -23,7 +24,7 @@ def full(found, text=TEXT):
 
     out = Out()
     texts = tuple(((FILE, number), line) for number, line in enumerate(text))
-    report(Result((Outcome(FILE, "rs274", "", (found,), True, texts=texts),)), out, Style(False, "/w"))
+    report(Result((Outcome(FILE, "rs274", "", (found,), texts=texts),)), out, Style(False, "/w"))
     return "".join(out)
 
 
@@ -95,6 +96,9 @@ def test_concise(shell):
 
 def test_json(shell):
     path = shell.write("a.ngc", "G21 G90 G17\n(\U0001f600) G0 X1 (drill (first) hole)\nF100\nM2\n")
+    # The rule and the text of the line, blanks apart.
+    said = b"rs274.comment-nested\0(\xf0\x9f\x98\x80) G0 X1 (drill (first) hole)"
+    key = blake2b(said, digest_size=16).hexdigest()
     expected = {
         "filename": path.as_posix(),
         "dialect": "rs274",
@@ -105,6 +109,7 @@ def test_json(shell):
         "end_location": {"row": 2, "column": 25},
         "url": None,
         "related": [],
+        "fingerprint": f"{key}:1",
         "fix": {
             "message": "Change to `[first]`",
             "applicability": "unsafe",

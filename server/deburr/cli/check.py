@@ -117,7 +117,8 @@ def run(arguments: argparse.Namespace) -> int:
         _distinct(outputs, found)
         loud = any(each.form == "full" for each in outputs)
         fixes = Fixes(arguments.unsafe_fixes, arguments.diff) if arguments.fix or arguments.diff else None
-        options = Options(arguments.dialect, arguments.stdin_filename, loud, inputs, arguments.variables, fixes)
+        keys = any(getattr(reporters.by_name(each.form), "KEYED", False) for each in outputs)
+        options = Options(arguments.dialect, arguments.stdin_filename, loud, inputs, arguments.variables, fixes, keys)
         result = Result(tuple(outcomes(Checker(configs, options), found, _processes(arguments.jobs, found))))
     except ConfigError as error:
         return unable(error.messages)

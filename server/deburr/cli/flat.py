@@ -210,7 +210,7 @@ def _say(found: list[Finding], flat: Flat) -> None:
             files = {each.file for each in programs}
             own += tuple(finding for finding in found if finding.place.file not in files)
         lines = texts(own, program.file, program.source, program.host)
-        outcomes.append(Outcome(program.file, program.dialect.name, "", own, bool(own), "", "", lines))
+        outcomes.append(Outcome(program.file, program.dialect.name, "", own, texts=lines))
     full.report(Result(tuple(outcomes)), sys.stderr, style_for(sys.stderr))
     errors = sum(finding.severity is Severity.ERROR for finding in found)
     if errors:

@@ -18,25 +18,50 @@ class Row(NamedTuple):
     summary: str
 
 
+class Found(NamedTuple):
+    """A finding with the dialect that it was found in, whether it makes the check fail, and its fingerprint ("" where none was asked for)."""
+
+    finding: Finding
+    dialect: str
+    fails: bool
+    fingerprint: str = ""
+
+
 class Result:
-    """The outcomes in the order of their files."""
+    """The outcomes in the order of their files. ``known``: the findings that are passed over, by file and fingerprint."""
 
-    def __init__(self, outcomes: tuple[Outcome, ...]) -> None:
+    def __init__(self, outcomes: tuple[Outcome, ...], known: frozenset[tuple[str, str]] = frozenset()) -> None:
         self.outcomes = outcomes
+        self._known = known
 
-    def findings(self) -> Iterator[tuple[Finding, str]]:
-        """All findings in order of file, row and column, each with the dialect that it was found in.
-
-        What several programs find in a file that they share is one finding.
-        """
-        shared = set[Finding]()
+    @cached_property
+    def everything(self) -> list[Found]:
+        """All findings in order of file, row and column. What several programs find in a file that they share is one finding."""
+        first: dict[Finding, Found] = {}
+        keys: dict[Finding, str] = {}
         for outcome in self.outcomes:
             for finding in outcome.findings:
-                if finding.place.file != outcome.file:
-                    if finding in shared:
-                        continue
-                    shared.add(finding)
-                yield finding, outcome.dialect or ""
+                if finding not in first:
+                    fails = finding.severity >= outcome.fail_on
+                    first[finding] = Found(finding, outcome.dialect or "", fails)
+            keys.update(zip(outcome.findings, outcome.keys))
+        ordered = sorted(first.values(), key=lambda each: each.finding.order)
+        if not keys:
+            return ordered
+        from deburr.cli.fingerprint import counted
+
+        marks = counted((each.finding.place.file, keys[each.finding]) for each in ordered)
+        return [each._replace(fingerprint=mark) for each, mark in zip(ordered, marks)]
+
+    @cached_property
+    def found(self) -> list[Found]:
+        """The findings that are reported."""
+        known = self._known
+        return [each for each in self.everything if (each.finding.place.file, each.fingerprint) not in known]
+
+    def findings(self) -> Iterator[Finding]:
+        """The findings that are reported, alone."""
+        return (each.finding for each in self.found)
 
     @cached_property
     def texts(self) -> dict[tuple[str, int], str]:
@@ -54,15 +79,15 @@ class Result:
         """How often each rule spoke: the most frequent first."""
         from deburr.catalogue import rules_of
 
-        counts = Counter((finding.rule, finding.severity) for finding, _ in self.findings())
-        dialects = {dialect for _, dialect in self.findings()}
+        counts = Counter((finding.rule, finding.severity) for finding in self.findings())
+        dialects = {each.dialect for each in self.found}
         summaries = {rule.name: rule.summary for dialect in dialects for rule in rules_of(dialect)}
         rows = [Row(rule, severity, count, summaries[rule]) for (rule, severity), count in counts.items()]
         return sorted(rows, key=lambda row: (-row.times, row.rule))
 
     def summary(self) -> str:
         """The last line of reports for people: `Found 3 errors, 1 warning in 2 files (12 checked)`."""
-        counts = Counter(finding.severity for finding, _ in self.findings())
+        counts = Counter(finding.severity for finding in self.findings())
         failed = sum(1 for outcome in self.outcomes if outcome.failure)
         skipped = sum(1 for outcome in self.outcomes if outcome.dialect is None and not outcome.failure)
         checked = len(self.outcomes) - failed - skipped
@@ -70,11 +95,13 @@ class Result:
         parts += [f"{skipped} skipped: no dialect"] if skipped else []
         fixed = sum(outcome.fixed for outcome in self.outcomes)
         parts += [f"{fixed} fixed"] if fixed else []
+        hidden = len(self.everything) - len(self.found)
+        parts += [f"{hidden} known before"] if hidden else []
         aside = f"({', '.join(parts)})"
         if not counts:
             return f"{'All checks passed' if checked and not failed else 'No findings'} {aside}"
         said = ", ".join(_count(counts[each], each.word) for each in reversed(Severity) if counts[each])
-        files = len({finding.place.file for finding, _ in self.findings()})
+        files = len({finding.place.file for finding in self.findings()})
         return f"Found {said} in {_count(files, 'file')} {aside}"
 
     def would_fix(self) -> str:
@@ -89,7 +116,7 @@ class Result:
         """The exit code: 2 where a file could not be checked, 1 where findings count, else 0."""
         if any(outcome.failure for outcome in self.outcomes):
             return 2
-        return int(not exit_zero and any(outcome.fails for outcome in self.outcomes))
+        return int(not exit_zero and any(each.fails for each in self.found))
 
 
 def _count(count: int, what: str) -> str:

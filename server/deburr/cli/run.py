@@ -13,7 +13,7 @@ from deburr.cli.opening import Opener, Opening, Unopened
 from deburr.cli.style import Style
 from deburr.config import RuleSets
 from deburr.configfile import Configs
-from deburr.finding import Finding
+from deburr.finding import Finding, Severity
 from deburr.host import Host, NoFiles
 from deburr.inputs import Inputs
 from deburr.ruleset import RuleSet
@@ -34,7 +34,8 @@ class Outcome(NamedTuple):
     dialect: str | None = None
     reason: str = ""
     findings: tuple[Finding, ...] = ()
-    fails: bool = False
+    fail_on: Severity = Severity.ERROR
+    """The least severity that counts."""
     failure: str = ""
     origin: str = ""
     texts: tuple[tuple[tuple[str, int], str], ...] = ()
@@ -48,6 +49,8 @@ class Outcome(NamedTuple):
     """Of standard input the program behind its fixes."""
     stopped: "Stop | None" = None
     """Where its run ended before the end, if it did in silence."""
+    keys: tuple[str, ...] = ()
+    """By what each finding is known again; none if nobody asked."""
 
 
 class Fixes(NamedTuple):
@@ -68,6 +71,8 @@ class Options(NamedTuple):
     """The file that `--variables` names."""
     fixes: Fixes | None = None
     """Which fixes are made; None: none."""
+    keys: bool = False
+    """Whether findings are to be known again."""
 
 
 class Checker:
@@ -93,18 +98,19 @@ class Checker:
         ruleset, host = self._ruleset(opening), self._host(name)
         findings = check(found, dialect, ruleset, file, host, runs, inputs, mend=True)
         shown = texts(findings, file, found, host) if self._options.texts and findings else ()
-        fails = any(finding.severity >= config.fail_on for finding in findings)
+        keys = _keys(findings, file, found, host) if self._options.keys and findings else ()
         return Outcome(
             file,
             dialect.name,
             reason,
             tuple(findings),
-            fails,
+            config.fail_on,
             "",
             config.origin,
             shown,
             run.misgiven,
             stopped=run.stopped,
+            keys=keys,
         )
 
     def _fixed(self, opening: Opening, piped: bool) -> Outcome:
@@ -184,11 +190,19 @@ def _outcome(target: Target) -> Outcome:
 
 def texts(findings: Iterable[Finding], file: str, found: Source, host: Host) -> tuple[tuple[tuple[str, int], str], ...]:
     """The lines that a report of findings shows."""
-    return tuple(dict(_texts(findings, file, found, host)).items())
+    return tuple(dict(_texts(findings, file, found, host, AROUND)).items())
 
 
-def _texts(findings: Iterable[Finding], file: str, found: Source, host: Host) -> Iterator[tuple[tuple[str, int], str]]:
-    """The lines that a report shows."""
+def _keys(findings: Iterable[Finding], file: str, found: Source, host: Host) -> tuple[str, ...]:
+    from deburr.cli.fingerprint import key
+
+    lines = dict(_texts(findings, file, found, host, 0))
+    return tuple(key(finding, lines.get((finding.place.file, finding.place.line), "")) for finding in findings)
+
+
+def _texts(
+    findings: Iterable[Finding], file: str, found: Source, host: Host, around: int
+) -> Iterator[tuple[tuple[str, int], str]]:
     files: dict[str, list[str]] = {file: found.lines}
     for finding in findings:
         places = [finding.place, *(related.place for related in finding.related)]
@@ -196,5 +210,5 @@ def _texts(findings: Iterable[Finding], file: str, found: Source, host: Host) ->
             if place.file not in files:
                 files[place.file] = split_lines(host.read(place.file) or "")
             lines = files[place.file]
-            for line in range(max(0, place.line - AROUND), min(len(lines), place.line + AROUND + 1)):
+            for line in range(max(0, place.line - around), min(len(lines), place.line + around + 1)):
                 yield (place.file, line), lines[line]

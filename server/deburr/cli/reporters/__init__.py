@@ -1,7 +1,7 @@
 """The forms in which `deburr check` reports, one module each, found by name: `json_lines` is `--output-format json-lines`.
 
 A reporter has `report(result, out, style)`; `statistics(rows, out, style)` if it can count;
-and `TEXT`, true if it is read by people and ends with the summary line.
+`TEXT`, true if it is read by people and ends with the summary line; and `KEYED`, true if it names fingerprints.
 """
 
 from importlib import import_module

@@ -11,7 +11,7 @@ TEXT = True
 
 def report(result: Result, out: TextIO, style: Style) -> None:
     """Write the findings."""
-    for finding, _ in result.findings():
+    for finding in result.findings():
         place = finding.place
         where = f"{style.paint(style.file(place.file), 'bold')}:{place.line + 1}:{place.col + 1}:"
         severity = style.paint(finding.severity.word, finding.severity)

@@ -20,7 +20,7 @@ Texts = dict[tuple[str, int], str]
 
 def report(result: Result, out: TextIO, style: Style) -> None:
     """Write the findings, a blank line behind each."""
-    for finding, _ in result.findings():
+    for finding in result.findings():
         out.writelines(f"{line}\n" for line in _finding(finding, result.texts, style))
         out.write("\n")
 

@@ -3,16 +3,17 @@
 from collections.abc import Iterable
 from typing import Any, TextIO
 
-from deburr.cli.result import Result, Row
+from deburr.cli.result import Found, Result, Row
 from deburr.cli.style import Style
-from deburr.finding import Finding, Fix, Place
+from deburr.finding import Fix, Place
 
 TEXT = False
+KEYED = True
 
 
 def report(result: Result, out: TextIO, style: Style) -> None:
     """Write the findings."""
-    _write([as_object(finding, dialect) for finding, dialect in result.findings()], out)
+    _write([as_object(each) for each in result.found], out)
 
 
 def statistics(rows: Iterable[Row], out: TextIO, style: Style) -> None:
@@ -20,12 +21,12 @@ def statistics(rows: Iterable[Row], out: TextIO, style: Style) -> None:
     _write([row_as_object(row) for row in rows], out)
 
 
-def as_object(finding: Finding, dialect: str) -> dict[str, Any]:
+def as_object(found: Found) -> dict[str, Any]:
     """A finding as the interface promises it. No site carries the pages, so ``url`` is null; `deburr rule NAME` prints them."""
-    place = finding.place
+    finding, place = found.finding, found.finding.place
     return {
         "filename": place.file,
-        "dialect": dialect,
+        "dialect": found.dialect,
         "rule": finding.rule,
         "severity": finding.severity.word,
         "message": finding.message,
@@ -34,6 +35,7 @@ def as_object(finding: Finding, dialect: str) -> dict[str, Any]:
         "related": [
             {"filename": each.place.file, **_ends(each.place), "message": each.message} for each in finding.related
         ],
+        "fingerprint": found.fingerprint,
         "fix": None if finding.fix is None else _fix(finding.fix),
     }
 

@@ -9,11 +9,12 @@ from deburr.cli.result import Result, Row
 from deburr.cli.style import Style
 
 TEXT = False
+KEYED = True
 
 
 def report(result: Result, out: TextIO, style: Style) -> None:
     """Write the findings."""
-    out.writelines(f"{_line(as_object(finding, dialect))}\n" for finding, dialect in result.findings())
+    out.writelines(f"{_line(as_object(each))}\n" for each in result.found)
 
 
 def statistics(rows: Iterable[Row], out: TextIO, style: Style) -> None:
