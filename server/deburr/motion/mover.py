@@ -1,0 +1,181 @@
+"""Makes moves of places: straight ones, arcs, canned cycles; and keeps where the tool is. Knows no words' order, no modes but those that it is told."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from deburr.expand.rs274.axes import AXES, LINEAR
+from deburr.motion import cycles
+from deburr.motion.arcs import AXES_OF, centre_by_radius
+from deburr.motion.offsets import Coordinates, Offsets
+from deburr.motion.path import Flag, Happening, Kind
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from deburr.expand.rs274.modes import Modes
+    from deburr.motion.form import Form
+    from deburr.motion.path import Recorder
+
+_SIGNS = {30: 1.0, 40: -1.0}
+
+
+class Mover:
+    """Where the tip of the tool is, and how it goes on. Lengths are in mm; ``flat`` is the line that moves."""
+
+    def __init__(self, form: Form, modes: Modes, recorder: Recorder) -> None:
+        self._recorder = recorder
+        self._modes = modes
+        self.offsets = Offsets(form)
+        self.at: Coordinates = self.offsets.program([0.0] * 9)
+        """In the program's coordinates: X, Y, Z, A, B, C, U, V, W."""
+        self.flags = 0
+        self.feed = 0.0
+        self.unknown = set[int]()
+        """Axes of which only the machine knows where they are."""
+        self._width = 3
+        self._level: float | None = None
+        """Where the first of a row of canned cycles began, along the drilled axis."""
+        self._sticky: dict[str, float] = {}
+
+    def go(self, kind: int, target: Coordinates, flat: int, flags: int = 0) -> None:
+        """A straight move, or none that is seen in X and Y."""
+        start, self.at = self.at, target
+        if self._width == 3 and target[3:] != _STILL:
+            self._width = 9
+        base = self.offsets.straight
+        end = self.offsets.machine(target) if base is None else [a + b for a, b in zip(target[: self._width], base)]
+        flags |= self.flags
+        if self.unknown:
+            flags |= Flag.ASSUMED
+        if start[0] != target[0] or start[1] != target[1]:
+            flags |= Flag.SIDEWAYS
+        self._recorder.move(kind, flags, end[: self._width], flat, self.feed)
+
+    def named(self, axes: Sequence[int]) -> None:
+        """These axes are moved to places that the program says."""
+        if self.unknown:
+            self.unknown.difference_update(axes)
+
+    def arc(self, target: Coordinates, plane: int, words: Mapping[str, float], clockwise: bool, flat: int) -> None:
+        """An arc to a point. ``words``: I, J, K as distances from the start, R, in mm; P, the turns."""
+        first, second, _ = AXES_OF[plane]
+        start, end = (self.at[first], self.at[second]), (target[first], target[second])
+        if "R" in words:
+            centre = centre_by_radius(start, end, words["R"], clockwise)
+        else:
+            centre = (start[0] + words.get("IJK"[first], 0.0), start[1] + words.get("IJK"[second], 0.0))
+        if plane == 17:
+            centre = self.offsets.turned(*centre)
+        else:
+            place = [0.0] * 9
+            place[first], place[second] = centre
+            found = self.offsets.machine(place)
+            centre = (found[first], found[second])
+        turns = max(round(words.get("P", 1.0)), 1)
+        self.go(Kind.ARC, target, flat)
+        self._recorder.arc(plane, centre, -turns if clockwise else turns)
+
+    def jumped(self, tool: Coordinates, flat: int) -> None:
+        """Another tool length: the machine stays, its tip is elsewhere."""
+        if tool == self.offsets.tool:
+            return
+        tip = [a + b - c for a, b, c in zip(self.offsets.machine(self.at), self.offsets.tool, tool)]
+        self.offsets.tool = tool
+        self._recorder.length(flat, tool[:3])
+        self.go(Kind.SHIFT, self.offsets.program(tip), flat)
+
+    def stay(self, tip: Coordinates) -> None:
+        """Offsets have changed: the same tip has other coordinates."""
+        self.at = self.offsets.program(tip)
+
+    def home(self, place: Coordinates, axes: Sequence[int], flat: int) -> None:
+        """To a place in the machine along some axes."""
+        self.go(Kind.RAPID, self.in_machine(place, axes), flat)
+
+    def in_machine(self, place: Coordinates, axes: Sequence[int]) -> Coordinates:
+        """The point of the program where the machine is at a place, along some axes."""
+        tip = self.offsets.machine(self.at)
+        for axis in axes:
+            tip[axis] = place[axis] - self.offsets.tool[axis]
+        return self.offsets.program(tip)
+
+    def polar(self, target: Coordinates, words: Mapping[str, float], unit: float, absolute: bool) -> None:
+        """`@` and `^` are a radius and an angle about the origin, or by how much both change."""
+        if "@" not in words and "^" not in words:
+            return
+        radius, angle = math.hypot(self.at[0], self.at[1]), math.degrees(math.atan2(self.at[1], self.at[0]))
+        if absolute:
+            radius = words["@"] * unit if "@" in words else radius
+            angle = words.get("^", angle)
+        else:
+            radius, angle = radius + words.get("@", 0.0) * unit, angle + words.get("^", 0.0)
+        target[0], target[1] = radius * math.cos(math.radians(angle)), radius * math.sin(math.radians(angle))
+
+    def left_cycles(self) -> None:
+        """Another motion than a canned cycle."""
+        if self._level is not None:
+            self._level = None
+            self._sticky.clear()
+
+    def drill(self, code: int, words: Mapping[str, float], given: Mapping[int, float], flat: int) -> None:
+        """A canned cycle. ``words``: R, Q, I, J, K in mm, P in seconds, L; ``given``: the axes, absolute or in steps as the mode has it."""
+        modes = self._modes
+        first, second, across = AXES_OF[modes.g["plane"] // 10]
+        absolute = modes.g["distance"] == 900
+        if self._level is None:
+            self._level = self.at[across]
+        for letter in "RQPIJK":
+            if letter in words:
+                self._sticky[letter] = words[letter]
+        self._sticky["depth"] = given.get(across, self._sticky.get("depth", 0.0))
+        say = self._sticky.get
+        level = self._level
+        retract = say("R", level) if absolute else level + say("R", 0.0)
+        bottom = say("depth", 0.0) if absolute else retract + say("depth", 0.0)
+        begin = max(level, retract)
+        levels = cycles.Levels(retract, bottom, retract if modes.g["retract"] == 990 else begin)
+        speed = modes.speed * _SIGNS.get(modes.spindle, 0.0)
+        aside = (say("IJK"[first], 0.0), say("IJK"[second], 0.0))
+        middle = say("IJK"[across], 0.0) + (0.0 if absolute else bottom)
+        said = cycles.Words(say("P", 0.0), say("Q", 0.0), aside, middle, speed)
+        now = self.at[across]
+        if level < retract:
+            self._cycle_move(Kind.RAPID, (self.at[first], self.at[second], retract), flat)
+            now = retract
+        place = (self.at[first], self.at[second])
+        for count in range(max(round(words.get("L", 1.0)), 0)):
+            if absolute:
+                place = (given.get(first, place[0]), given.get(second, place[1]))
+            else:
+                place = (place[0] + given.get(first, 0.0), place[1] + given.get(second, 0.0))
+            height = now if count == 0 and now > retract else levels.clear
+            self._cycle_move(Kind.RAPID, (*place, height), flat)
+            if height > retract:
+                self._cycle_move(Kind.RAPID, (*place, retract), flat)
+            for step, value in cycles.hole(code, place, levels, said):
+                if isinstance(step, Kind):
+                    assert isinstance(value, tuple)
+                    self._cycle_move(step, value, flat)
+                else:
+                    assert isinstance(value, float)
+                    self._happens(step, value, flat)
+        if code == 880:
+            self.at[across] = levels.clear
+
+    def _cycle_move(self, kind: Kind, point: tuple[float, float, float], flat: int) -> None:
+        target = list(self.at)
+        for axis, value in zip(AXES_OF[self._modes.g["plane"] // 10], point):
+            target[axis] = value
+        self.go(kind, target, flat, Flag.CYCLE)
+
+    def _happens(self, what: Happening, value: float, flat: int) -> None:
+        if what is Happening.SPINDLE:
+            self.flags = self.flags | Flag.SPINDLE if value else self.flags & ~Flag.SPINDLE
+        self._recorder.event(flat, what, value)
+
+
+_STILL = [0.0] * 6
+LENGTHS = frozenset(AXES[axis] for axis in LINEAR)
+"""Letters of axes that are measured as lengths."""

@@ -1,0 +1,47 @@
+"""The words of a flat line: letters and numbers. Knows no meaning."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+_WORD = re.compile(r"([A-Z@^])([-+]*(?:[0-9]+\.?[0-9]*|\.[0-9]+))")
+_COMMENT = re.compile(r"\([^()]*\)|;.*")
+_SETTING = re.compile(r"#([0-9]+)=([-+]?[0-9.]+)")
+_REST = re.compile(r"[^/%\s]+")
+_BLANKS = {ord(" "): None, ord("\t"): None}
+
+Said = list[tuple[str, str]]
+
+
+class Words(NamedTuple):
+    """What a line holds: words as letter and number, parameters that it sets, and what is neither."""
+
+    words: Said
+    settings: Said
+    rest: str
+
+
+def plain(text: str) -> Said | None:
+    """The words of a line that holds nothing else; None if it may hold more. Blanks count for nothing."""
+    if " " in text:
+        text = text.replace(" ", "")
+    found: Said = _WORD.findall(text)
+    return found if sum(len(word[1]) for word in found) + len(found) == len(text) else None
+
+
+def all_of(text: str) -> Words:
+    """All of a line. Letters are read as capitals; comments stand in parentheses, or behind `;`."""
+    text = _COMMENT.sub(" ", text).upper().translate(_BLANKS)
+    settings = _SETTING.findall(text)
+    text = _SETTING.sub(" ", text)
+    return Words(_WORD.findall(text), settings, " ".join(_REST.findall(_WORD.sub(" ", text))))
+
+
+def number(said: str) -> float:
+    """The value of a number; several signs may stand before it."""
+    try:
+        return float(said)
+    except ValueError:
+        bare = said.lstrip("+-")
+        return -float(bare) if said.count("-") % 2 else float(bare)
