@@ -130,7 +130,9 @@ def test_json_names_related_places(shell):
     shell.write("a.ngc", "G21 G90 G17\no1 if [1]\no2 while [1]\no1 endif\no2 endwhile\nF100\nM2\n")
     found = json.loads(shell.run("check", "--output-format", "json").out)
     related = [each for each_finding in found for each in each_finding["related"]]
-    assert related and all(set(each) == {"filename", "location", "end_location", "message"} for each in related)
+    assert related and all(
+        set(each) == {"filename", "location", "end_location", "message", "entered"} for each in related
+    )
 
 
 def test_json_is_sorted_by_file_row_and_column(shell):

@@ -7,7 +7,7 @@ from tempfile import TemporaryFile
 from typing import Any
 
 from deburr import paths
-from deburr.cli.check import profile
+from deburr.cli.checkoptions import profile
 from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.files import STDIN
 from deburr.cli.flat import Flat, Terms, flat_of, opened_programs

@@ -12,6 +12,7 @@ from deburr import __version__
 
 COMMANDS = {
     "check": "lint files, folders or standard input",
+    "merge": "one report of the reports of several checks",
     "expand": "print the flat program that a control would execute",
     "format": "lay out files, folders or standard input; what they say is never changed",
     "rule": "what a rule means, with a bad and a good example",

@@ -28,10 +28,17 @@ class Found(NamedTuple):
 
 
 class Result:
-    """The outcomes in the order of their files. ``known``: the findings that are passed over, by file and fingerprint."""
+    """The outcomes in the order of their files.
 
-    def __init__(self, outcomes: tuple[Outcome, ...], known: frozenset[tuple[str, str]] = frozenset()) -> None:
+    ``known``: the findings that are passed over, by file and fingerprint. ``origin``: where outcomes come
+    from that tell nothing of the programs in which nothing was found.
+    """
+
+    def __init__(
+        self, outcomes: tuple[Outcome, ...], known: frozenset[tuple[str, str]] = frozenset(), origin: str = ""
+    ) -> None:
         self.outcomes = outcomes
+        self.origin = origin
         self._known = known
 
     @cached_property
@@ -91,7 +98,7 @@ class Result:
         failed = sum(1 for outcome in self.outcomes if outcome.failure)
         skipped = sum(1 for outcome in self.outcomes if outcome.dialect is None and not outcome.failure)
         checked = len(self.outcomes) - failed - skipped
-        parts = [f"{checked} checked", *([f"{failed} not checked"] if failed else [])]
+        parts = [self.origin or f"{checked} checked", *([f"{failed} not checked"] if failed else [])]
         parts += [f"{skipped} skipped: no dialect"] if skipped else []
         fixed = sum(outcome.fixed for outcome in self.outcomes)
         parts += [f"{fixed} fixed"] if fixed else []

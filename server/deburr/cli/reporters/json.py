@@ -33,7 +33,8 @@ def as_object(found: Found) -> dict[str, Any]:
         **_ends(place),
         "url": None,
         "related": [
-            {"filename": each.place.file, **_ends(each.place), "message": each.message} for each in finding.related
+            {"filename": each.place.file, **_ends(each.place), "message": each.message, "entered": each.entered}
+            for each in finding.related
         ],
         "fingerprint": found.fingerprint,
         "fix": None if finding.fix is None else _fix(finding.fix),
