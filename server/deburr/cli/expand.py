@@ -42,10 +42,8 @@ def parser() -> argparse.ArgumentParser:
     found.add_argument("--decimals", type=_decimals, metavar="N", help="at most so many in computed values, or `exact`")
     found.add_argument("--eol", choices=tuple(EOLS), default="source", help="line ends (default: as in the source)")
     limits = Budget()
-    found.add_argument(
-        "--max-steps", type=_count, default=limits.steps, metavar="N", help="executed lines; 0: no limit"
-    )
-    found.add_argument("--max-blocks", type=_count, default=limits.blocks, metavar="N", help="flat lines; 0: no limit")
+    found.add_argument("--max-steps", type=count, default=limits.steps, metavar="N", help="executed lines; 0: no limit")
+    found.add_argument("--max-blocks", type=count, default=limits.blocks, metavar="N", help="flat lines; 0: no limit")
     found.add_argument("--diff", metavar="OTHER", help="compare the flat programs of both; exit 1 if they differ")
     found.add_argument("-q", "--quiet", action="store_true", help="no warnings")
     return found
@@ -55,12 +53,14 @@ def run(arguments: argparse.Namespace) -> int:
     """Expand and write."""
     try:
         terms = _terms(arguments)
-        configs = Configs(_top(arguments), arguments.config)
+        configs = Configs(configuration(arguments), arguments.config)
         programs = opened_programs(arguments.files, arguments.dialect, configs)
         others = opened_programs([arguments.diff], arguments.dialect, configs) if arguments.diff else ()
         known(arguments, programs[0].dialect)
         terms = terms._replace(inputs=inputs_for(terms.inputs, arguments.variables, programs[0].dialect))
-        _distinct(arguments)
+        distinct(arguments, {"-o": arguments.output, "--source-map": arguments.source_map})
+        if arguments.diff and (arguments.output or arguments.source_map):
+            raise ConfigError("--diff writes no flat program: leave -o and --source-map out")
     except ConfigError as error:
         return unable(error.messages)
     try:
@@ -77,7 +77,8 @@ def run(arguments: argparse.Namespace) -> int:
         return unable([f"{error.filename or 'the flat program'}: {error.strerror}"])
 
 
-def _top(arguments: argparse.Namespace) -> Config:
+def configuration(arguments: argparse.Namespace) -> Config:
+    """What the command line says above all configuration files."""
     values: Mapping[str, Any] = {**dict(settings(arguments)), **profile(arguments.profile)}
     return from_command_line(values, Selection(None, (), ()))
 
@@ -91,9 +92,8 @@ def _terms(arguments: argparse.Namespace) -> Terms:
     return Terms(inputs, budget, EOLS[arguments.eol], arguments.quiet, mapped)
 
 
-def _distinct(arguments: argparse.Namespace) -> None:
-    """Refuse to write over what is read, or two things into one file."""
-    written = {"-o": arguments.output, "--source-map": arguments.source_map}
+def distinct(arguments: argparse.Namespace, written: Mapping[str, str | None]) -> None:
+    """Refuse to write over what is read, or two things into one file. ``written``: the files of options."""
     read = (*arguments.files, *named_files(arguments), arguments.config or STDIN)
     taken = {paths.real(file): file for file in read if file != STDIN}
     for option, path in written.items():
@@ -104,8 +104,6 @@ def _distinct(arguments: argparse.Namespace) -> None:
         if paths.real(path) in taken:
             raise ConfigError(f"{option} {path}: that would write over {taken[paths.real(path)]}")
         taken[paths.real(path)] = path
-    if arguments.diff and (arguments.output or arguments.source_map):
-        raise ConfigError("--diff writes no flat program: leave -o and --source-map out")
 
 
 def _compared(one: Flat, other: Flat) -> int:
@@ -131,7 +129,8 @@ def _decimals(said: str) -> int:
     return int(said)
 
 
-def _count(said: str) -> int:
+def count(said: str) -> int:
+    """A number of lines from the command line."""
     if not said.isascii() or not said.isdigit():
         raise argparse.ArgumentTypeError(f"`{said}` is no number of lines")
     return int(said)

@@ -52,6 +52,8 @@ class Terms(NamedTuple):
     eol: str
     quiet: bool
     mapped: bool
+    done: str = "written"
+    """What becomes of flat lines, in a word for messages."""
 
 
 def opened_programs(files: Sequence[str], dialect: str | None, configs: Configs) -> tuple[Opened, ...]:
@@ -215,5 +217,6 @@ def _say(found: list[Finding], flat: Flat) -> None:
     errors = sum(finding.severity is Severity.ERROR for finding in found)
     if errors:
         wanted = flat.terms.inputs.partial and flat.count
-        what = f"only {flat.count:,} lines were written" if wanted else "nothing was written"
+        done = flat.terms.done
+        what = f"only {flat.count:,} lines were {done}" if wanted else f"nothing was {done}"
         complain(f"{what}: {errors} error{'s' if errors > 1 else ''}", "")

@@ -14,6 +14,7 @@ COMMANDS = {
     "check": "lint files, folders or standard input",
     "merge": "one report of the reports of several checks",
     "expand": "print the flat program that a control would execute",
+    "plot": "draw the toolpath: SVG, PNG, or a page to turn and click on",
     "format": "lay out files, folders or standard input; what they say is never changed",
     "rule": "what a rule means, with a bad and a good example",
     "explain-dialect": "which dialect a file is written in, and why",

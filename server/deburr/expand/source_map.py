@@ -73,6 +73,22 @@ class SourceMap:
         for column in self._lines:
             del column[count:]
 
+    @property
+    def lines(self) -> tuple[memoryview, memoryview, memoryview]:
+        """Of each flat line the index of its file in ``files``, its 0-based row, and the number of its frame (-1: none)."""
+        sources, rows, frames = (memoryview(column).toreadonly() for column in self._lines)
+        return sources, rows, frames
+
+    @property
+    def frames(self) -> tuple[memoryview, ...]:
+        """Of each frame the number of the one around it (-1: none), the index of its file, its row, the index of its kind in ``kinds``, and its number."""
+        return tuple(memoryview(column).toreadonly() for column in self._frames)
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """What frames can be."""
+        return tuple(self._kinds)
+
     def origin(self, line: int) -> Origin:
         """Where a flat line (0-based) comes from."""
         sources, rows, frames = self._lines
