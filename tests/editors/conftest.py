@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import fcntl
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
 from support.npm import EXTENSION, npm, prepared
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 
 @pytest.fixture(scope="session")
@@ -34,14 +39,39 @@ def vsix(extension: Path) -> Path:
     return made
 
 
+@pytest.fixture(scope="session")
+def window() -> Iterator[Browser]:
+    """A browser without a screen."""
+    from support.vscode import browser
+
+    with browser() as found:
+        yield found
+
+
+@pytest.fixture(scope="session")
+def trusted(vsix: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """The address of a VS Code with the extension, in which every folder is trusted."""
+    from support.vscode import code_server
+
+    with code_server(tmp_path_factory.mktemp("code"), vsix) as address:
+        yield address
+
+
 def sources(extension: Path) -> list[Path]:
     """What the package is made from."""
     root = extension.parent
-    folders = [extension / "src", extension / "scripts", extension / "syntaxes", root / "server", root / "grammar"]
+    folders = [
+        extension / "src",
+        extension / "scripts",
+        extension / "syntaxes",
+        extension / "walkthrough",
+        root / "server",
+        root / "grammar",
+    ]
     files = [
         each
         for folder in folders
         for each in folder.rglob("*")
-        if each.suffix in (".ts", ".mjs", ".json", ".py", ".tables")
+        if each.suffix in (".ts", ".mjs", ".json", ".md", ".py", ".tables") or each.parent.name == "walkthrough"
     ]
     return [*files, *extension.glob("*.json"), *(extension / "bundled").glob("*.*")]

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import zipfile
 from pathlib import Path
 
 import pytest
 
-from support.npm import npm
+from deburr.cli.main import main
+from deburr_grammar.dialects import NAMES, by_name
+from support.npm import EXTENSION, npm
 
 MOST = 10_000_000
 """Bytes that the package may have."""
@@ -16,6 +19,14 @@ MOST = 10_000_000
 @pytest.mark.parametrize("script", ["check", "test", "colours"])
 def test_its_own_checks_pass(extension: Path, script: str) -> None:
     npm("run", script)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_each_language_has_an_example_with_one_mistake(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    example = EXTENSION / "walkthrough" / f"example{by_name(name).extensions[0]}"
+    assert main(["check", "--output-format", "json", str(example)]) == 1
+    (error,) = [each for each in json.loads(capsys.readouterr().out) if each["severity"] == "error"]
+    assert "did you mean" in error["message"] and error["fix"] is not None
 
 
 def test_the_package_is_small_and_holds_all_that_runs(vsix: Path) -> None:

@@ -6,8 +6,6 @@ import os
 import re
 import signal
 import subprocess
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -18,34 +16,10 @@ from playwright.sync_api import Browser, expect
 
 from support import vscode
 from support.editors import TASKS, Task, written
-from support.vscode import Workbench, browser, code_server, colours
+from support.vscode import Workbench, code_server, colours, workbench
 
 expect.set_options(timeout=vscode.PATIENCE_MS)
 pytestmark = pytest.mark.skipif(not vscode.installed(), reason="there is no VS Code here; .ci/vscode installs one")
-
-
-@pytest.fixture(scope="module")
-def window() -> Iterator[Browser]:
-    with browser() as found:
-        yield found
-
-
-@pytest.fixture(scope="module")
-def trusted(vsix: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    with code_server(tmp_path_factory.mktemp("code"), vsix) as address:
-        yield address
-
-
-@contextmanager
-def workbench(window: Browser, address: str, folder: Path, name: str) -> Iterator[Workbench]:
-    """A window of VS Code; how it looked at the end is kept where `DEBURR_PICTURES` says."""
-    page = window.new_page(viewport={"width": 1400, "height": 850})
-    try:
-        yield Workbench(page, address, folder)
-    finally:
-        if kept := os.environ.get("DEBURR_PICTURES"):
-            page.screenshot(path=f"{kept}/{name}.png")
-        page.close()
 
 
 @pytest.mark.parametrize("task", TASKS, ids=lambda task: task.dialect)

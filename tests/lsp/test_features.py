@@ -246,4 +246,26 @@ def test_commands_that_are_none_are_refused() -> None:
             assert found["code"] == -32602
         document = opened(inside)
         said = {"command": "deburr.explainDialect", "arguments": [{"uri": document.uri}]}
-        assert inside.request("workspace/executeCommand", said)["reason"] == "the editor's language"
+        answer = inside.request("workspace/executeCommand", said)
+        assert (answer["reason"], answer["title"], answer["profile"]) == (
+            "the editor's language",
+            "RS274/NGC",
+            "linuxcnc",
+        )
+        assert answer["takes"] == ["blockDelete", "machineValues", "keepN", "decimals"]
+
+
+@pytest.mark.parametrize(
+    ("name", "dialect", "takes"),
+    [
+        ("a.cgt", "cgt", ["input"]),
+        ("a.mgc", "metagcode", ["decimals"]),
+        ("a.z32", "z32", ["blockDelete", "keepN", "decimals"]),
+    ],
+)
+def test_an_editor_can_ask_what_an_expansion_takes(tmp_path: Path, name: str, dialect: str, takes: list[str]) -> None:
+    (tmp_path / name).write_text("M30\n")
+    with Inside(RICH) as inside:
+        said = {"command": "deburr.explainDialect", "arguments": [{"uri": (tmp_path / name).as_uri()}]}
+        answer = inside.request("workspace/executeCommand", said)
+    assert (answer["dialect"], answer["takes"], answer["profile"]) == (dialect, takes, None)

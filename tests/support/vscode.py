@@ -142,11 +142,14 @@ class Workbench:
 
     def command(self, title: str, *, asks: bool = False) -> None:
         """Run a command of the palette; ``asks``: it goes on with a question there. The row is clicked: Enter could still take one of the list before."""
-        self.page.keyboard.press("F1")
-        self.page.locator(".quick-input-widget input").first.fill(f">{title}")
-        self.page.locator(".quick-input-list .monaco-list-row", has_text=title).first.click()
+        self._until(".quick-input-list .monaco-list-row", lambda: self._palette(title), title).click()
         if not asks:
             self.page.locator(".quick-input-widget").first.wait_for(state="hidden")
+
+    def _palette(self, title: str) -> None:
+        """Type a command into the palette, which lists what there is when it opens."""
+        self.page.keyboard.press("F1")
+        self.page.locator(".quick-input-widget input").first.fill(f">{title}")
 
     def hover(self) -> Locator:
         """What is said of the word under the cursor."""
@@ -193,6 +196,18 @@ class Workbench:
     def _asked(self, url: str) -> None:
         if url.startswith(("http:", "https:", "ws:", "wss:")) and "//127.0.0.1" not in url:
             self.outside.append(url)
+
+
+@contextlib.contextmanager
+def workbench(window: Browser, address: str, folder: Path, name: str) -> Iterator[Workbench]:
+    """A window of VS Code; how it looked at the end is kept where `DEBURR_PICTURES` says."""
+    page = window.new_page(viewport={"width": 1400, "height": 850})
+    try:
+        yield Workbench(page, address, folder)
+    finally:
+        if kept := os.environ.get("DEBURR_PICTURES"):
+            page.screenshot(path=f"{kept}/{name}.png")
+        page.close()
 
 
 def colours(line: Locator) -> Sequence[tuple[str, str]]:

@@ -1,6 +1,6 @@
 /** The expanded program beside its source: live, read-only, and in step with the cursor on both sides. */
 import * as vscode from 'vscode';
-import { linesOf, nearestLine, originOf, stackOf, told, type FlatMap } from './flatMap';
+import { linesOf, nearestLine, originOf, same, stackOf, told, type FlatMap } from './flatMap';
 import { NOTHING, after, type Expanded, type Shown } from './preview';
 import type { Server } from './server';
 
@@ -8,9 +8,16 @@ export const SCHEME = 'deburr-preview';
 export const LANGUAGE = 'deburr-flat';
 const PAUSE_MS = 250;
 
-/** Values given to programs, remembered for the workspace. */
+/** What a program is given, as arguments of `deburr.expand`; a toolpath by its URI. */
+export interface Given {
+  readonly define: Readonly<Record<string, string>>;
+  readonly input?: string;
+  readonly blockDelete?: 'on' | 'off';
+}
+
+/** What programs are given, remembered for the workspace. */
 export interface Values {
-  of(source: vscode.Uri): Record<string, string>;
+  of(source: vscode.Uri): Given;
 }
 
 /** All previews of the window. */
@@ -42,6 +49,7 @@ export class ExpandView implements vscode.TextDocumentContentProvider, vscode.Ho
       // Not `onDidCloseTextDocument`: a document is also closed and opened when its language is set.
       vscode.window.tabGroups.onDidChangeTabs(({ closed }) => closed.forEach((tab) => this.closed(tab))),
       vscode.window.onDidChangeTextEditorSelection((event) => this.moved(event)),
+      vscode.window.onDidChangeTextEditorVisibleRanges((event) => this.scrolled(event)),
       server.changed((condition) => condition === 'running' && this.refresh()),
     ];
   }
@@ -122,7 +130,7 @@ export class ExpandView implements vscode.TextDocumentContentProvider, vscode.Ho
 
   private async expand(source: vscode.Uri): Promise<void> {
     const key = source.toString();
-    const answer = await this.server.execute<Expanded | null>('deburr.expand', { uri: key, define: this.values.of(source) });
+    const answer = await this.server.execute<Expanded | null>('deburr.expand', { uri: key, ...this.values.of(source) });
     this.shown.set(key, after(this.shown.get(key) ?? NOTHING, answer ?? undefined));
     this.texts.fire(previewOf(source));
     this.banners.fire();
@@ -135,6 +143,24 @@ export class ExpandView implements vscode.TextDocumentContentProvider, vscode.Ho
     const { uri } = textEditor.document;
     if (uri.scheme === SCHEME) this.markSource(uri, line);
     else for (const preview of vscode.window.visibleTextEditors) this.markFlat(preview, uri, line);
+  }
+
+  /** Scroll the other side along, once the cursor is out of sight: until then the other side shows what belongs to the cursor. */
+  private scrolled({ textEditor, visibleRanges }: vscode.TextEditorVisibleRangesChangeEvent): void {
+    const top = visibleRanges[0]?.start.line;
+    const seesCursor = visibleRanges.some((range) => range.contains(textEditor.selection.active));
+    // The other side follows; what it then shows must not move this one.
+    if (top === undefined || seesCursor || textEditor !== vscode.window.activeTextEditor) return;
+    const { uri } = textEditor.document;
+    const map = uri.scheme === SCHEME ? this.mapOf(uri) : undefined;
+    const origin = map && originOf(map, top);
+    for (const editor of vscode.window.visibleTextEditors) {
+      const shown = editor.document.uri;
+      if (origin && same(origin.uri, shown.toString())) reveal(editor, origin.row);
+      const flat = shown.scheme === SCHEME && uri.scheme !== SCHEME ? this.mapOf(shown) : undefined;
+      const line = flat && nearestLine(flat, uri.toString(), top);
+      if (line !== undefined) reveal(editor, line);
+    }
   }
 
   private markFlat(preview: vscode.TextEditor, source: vscode.Uri, line: number): void {
@@ -150,7 +176,7 @@ export class ExpandView implements vscode.TextDocumentContentProvider, vscode.Ho
     const origin = map && originOf(map, line);
     if (!origin) return;
     for (const editor of vscode.window.visibleTextEditors) {
-      if (editor.document.uri.toString() === vscode.Uri.parse(origin.uri).toString()) this.mark(editor, [origin.row], origin.row);
+      if (same(origin.uri, editor.document.uri.toString())) this.mark(editor, [origin.row], origin.row);
     }
   }
 
@@ -158,6 +184,10 @@ export class ExpandView implements vscode.TextDocumentContentProvider, vscode.Ho
     editor.setDecorations(this.made, rows.map((row) => new vscode.Range(row, 0, row, 0)));
     if (shown !== undefined) editor.revealRange(new vscode.Range(shown, 0, shown, 0), vscode.TextEditorRevealType.InCenterIfOutsideViewport);
   }
+}
+
+function reveal(editor: vscode.TextEditor, line: number): void {
+  editor.revealRange(new vscode.Range(line, 0, line, 0), vscode.TextEditorRevealType.AtTop);
 }
 
 /** The preview of a source. */

@@ -1,8 +1,10 @@
 /** Wires the parts together. Holds no logic of its own. */
 import * as vscode from 'vscode';
 import type { Location, Position } from 'vscode-languageclient/node';
+import { openExample } from './examples';
 import { ExpandView } from './expandView';
 import { Inputs } from './inputs';
+import { report } from './report';
 import { SavedExpansion } from './saved';
 import { Server } from './server';
 import { Status } from './status';
@@ -13,10 +15,10 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   // The manifest's menus ask for it, so that no list of languages stands there.
   await vscode.commands.executeCommand('setContext', 'deburr.languages', languages);
   const server = new Server(context, log, languages);
-  const inputs = new Inputs(context.workspaceState);
+  const inputs = new Inputs(context.workspaceState, server);
   const view = new ExpandView(server, inputs);
   const saved = new SavedExpansion(server, inputs);
-  context.subscriptions.push(log, server, view, saved, new Status(server), ...commands(server, view, inputs, saved, log));
+  context.subscriptions.push(log, server, view, saved, new Status(server), ...commands(server, view, inputs, saved), ...helping(context, server, log));
   context.subscriptions.push(
     vscode.workspace.onDidGrantWorkspaceTrust(() => void server.start()),
     vscode.workspace.onDidChangeConfiguration((event) => {
@@ -26,7 +28,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   await server.start();
 }
 
-function commands(server: Server, view: ExpandView, inputs: Inputs, saved: SavedExpansion, log: vscode.LogOutputChannel): vscode.Disposable[] {
+function commands(server: Server, view: ExpandView, inputs: Inputs, saved: SavedExpansion): vscode.Disposable[] {
   const register = vscode.commands.registerCommand;
   const editor = (act: (editor: vscode.TextEditor) => Promise<unknown>) => async () => {
     const active = vscode.window.activeTextEditor;
@@ -43,6 +45,15 @@ function commands(server: Server, view: ExpandView, inputs: Inputs, saved: Saved
     register('deburr.diffExpansion', editor((active) => saved.compare(active.document.uri))),
     register('deburr.setInputs', editor(async ({ document }) => (await inputs.ask(document.uri)) && view.refresh())),
     register('deburr.showReferences', (uri: string, position: Position, places: Location[]) => server.showReferences(uri, position, places)),
+  ];
+}
+
+/** Commands that are about deburr itself. */
+function helping(context: vscode.ExtensionContext, server: Server, log: vscode.LogOutputChannel): vscode.Disposable[] {
+  const register = vscode.commands.registerCommand;
+  return [
+    register('deburr.openExample', () => openExample(context)),
+    register('deburr.reportIssue', () => report(context, server)),
     register('deburr.restart', () => server.start()),
     register('deburr.showLog', () => log.show()),
     register('deburr.showVersion', () => vscode.window.showInformationMessage(`${server.info}, on ${server.python || 'no Python'}`)),

@@ -39,19 +39,48 @@ export function stackOf(map: FlatMap, line: number): Frame[] {
 }
 
 /** All flat lines that a line of a source made. */
-export function linesOf(map: FlatMap, uri: string, row: number): number[] {
-  const source = map.sources.findIndex((each) => same(each, uri));
-  return map.x_deburr_lines.flatMap(([from, at], line) => (from === source && at === row ? [line] : []));
+export function linesOf(map: FlatMap, uri: string, row: number): readonly number[] {
+  return indexOf(map, uri)?.lines.get(row) ?? [];
 }
 
 /** The flat line to show for a line of a source: its first, or that of the nearest line above that made any. */
 export function nearestLine(map: FlatMap, uri: string, row: number): number | undefined {
-  const source = map.sources.findIndex((each) => same(each, uri));
-  let best: { row: number; line: number } | undefined;
-  map.x_deburr_lines.forEach(([from, at], line) => {
-    if (from === source && at <= row && (!best || at > best.row)) best = { row: at, line };
+  const index = indexOf(map, uri);
+  if (!index) return undefined;
+  let [low, high] = [0, index.rows.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((index.rows[middle] ?? 0) <= row) low = middle + 1;
+    else high = middle;
+  }
+  const found = index.rows[low - 1];
+  return found === undefined ? undefined : index.lines.get(found)?.[0];
+}
+
+/** The flat lines of each row of a source, and those rows in order. */
+interface Index {
+  readonly lines: ReadonlyMap<number, readonly number[]>;
+  readonly rows: readonly number[];
+}
+
+/** Made once for a map: a cursor moves more often than a program is expanded. */
+const indexes = new WeakMap<FlatMap, readonly Index[]>();
+
+function indexOf(map: FlatMap, uri: string): Index | undefined {
+  let made = indexes.get(map);
+  if (!made) indexes.set(map, (made = indexed(map)));
+  return made[map.sources.findIndex((each) => same(each, uri))];
+}
+
+function indexed(map: FlatMap): Index[] {
+  const found = map.sources.map(() => new Map<number, number[]>());
+  map.x_deburr_lines.forEach(([source, row], line) => {
+    const lines = found[source];
+    const known = lines?.get(row);
+    if (known) known.push(line);
+    else lines?.set(row, [line]);
   });
-  return best?.line;
+  return found.map((lines) => ({ lines, rows: [...lines.keys()].sort((left, right) => left - right) }));
 }
 
 /** A stack in words, a line each: `2nd pass of the loop at peck.ngc:12`. */
@@ -65,6 +94,6 @@ function place(map: FlatMap, source: number, row: number): Place {
 }
 
 /** The server and the editor may write one URI differently: `file:///c%3A/a` and `file:///C:/a`. */
-function same(left: string, right: string): boolean {
+export function same(left: string, right: string): boolean {
   return left === right || decodeURIComponent(left).toLowerCase() === decodeURIComponent(right).toLowerCase();
 }

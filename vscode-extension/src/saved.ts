@@ -49,7 +49,7 @@ export class SavedExpansion implements vscode.TextDocumentContentProvider, vscod
   }
 
   private async expanded(source: vscode.Uri, text: string | undefined): Promise<vscode.Uri | undefined> {
-    const answer = await this.server.execute<Expanded | null>('deburr.expand', { uri: source.toString(), define: this.values.of(source), text });
+    const answer = await this.server.execute<Expanded | null>('deburr.expand', { uri: source.toString(), ...this.values.of(source), text });
     const wrong = answer?.findings.find((each) => each.severity === 1);
     if (!answer || (wrong && !answer.truncated)) {
       void vscode.window.showWarningMessage(`The ${text === undefined ? 'open' : 'older'} text has no expansion: ${wrong?.message ?? 'the language server does not answer'}`);

@@ -9,6 +9,17 @@ import { told } from './settings';
 export type Mode = 'auto' | 'python' | 'bundled';
 export type Condition = 'starting' | 'running' | 'stopped' | 'untrusted' | 'no Python';
 
+/** What the server answers to `deburr.explainDialect`. */
+export interface Explained {
+  readonly reason: string;
+  /** The language's name; undefined with all below if it is in none that is known. */
+  readonly title?: string;
+  /** Whose manual decides, where the language has several. */
+  readonly profile?: string | null;
+  /** Arguments of `deburr.expand` that the language heeds. */
+  readonly takes?: readonly string[];
+}
+
 /** One server for the window; `changed` tells of its condition. */
 export class Server implements vscode.Disposable {
   private client: LanguageClient | undefined;
@@ -49,6 +60,11 @@ export class Server implements vscode.Disposable {
   async execute<T>(command: string, argument: object): Promise<T | undefined> {
     if (this.client?.state !== State.Running) return undefined;
     return this.client.sendRequest<T>('workspace/executeCommand', { command, arguments: [argument] });
+  }
+
+  /** In which language the server takes a file to be, and what an expansion of it can be given. */
+  async explain(source: vscode.Uri): Promise<Explained | undefined> {
+    return this.execute<Explained>('deburr.explainDialect', { uri: source.toString() });
   }
 
   /** Show places that the server has found; its code lens over a definition asks for it. */
@@ -122,7 +138,7 @@ export class Server implements vscode.Disposable {
   }
 
   /** What the user has set, for a file. */
-  private told(file: vscode.Uri | undefined): Record<string, unknown> {
+  told(file: vscode.Uri | undefined): Record<string, unknown> {
     const pages = this.context.extension.packageJSON.contributes.configuration as { properties: Record<string, unknown> }[];
     const names = pages.flatMap((page) => Object.keys(page.properties)).map((name) => name.slice('deburr.'.length));
     const configuration = vscode.workspace.getConfiguration('deburr', file);

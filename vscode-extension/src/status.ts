@@ -37,7 +37,8 @@ export class Status implements vscode.Disposable {
 
   private show(): void {
     const { condition, python } = this.server;
-    const language = vscode.window.activeTextEditor?.document.languageId ?? '';
+    const program = vscode.window.activeTextEditor?.document;
+    const language = program?.languageId ?? '';
     this.item.text = `deburr: ${condition}`;
     this.item.detail = python;
     this.item.severity = SEVERITY[condition];
@@ -45,7 +46,18 @@ export class Status implements vscode.Disposable {
     this.item.command = condition === 'running' ? { title: 'Show Log', command: 'deburr.showLog' } : { title: 'Restart', command: 'deburr.restart' };
     this.bar.text = `${ICON[condition]} deburr`;
     this.bar.tooltip = `deburr: ${condition}${python && `, on ${python}`}`;
-    if (this.server.languages.includes(language)) this.bar.show();
-    else this.bar.hide();
+    if (!program || !this.server.languages.includes(language)) return this.bar.hide();
+    this.bar.show();
+    void this.name(program);
+  }
+
+  /** The language and the profile by which the program is read, once the server has said them. */
+  private async name(program: vscode.TextDocument): Promise<void> {
+    const said = await this.server.explain(program.uri);
+    if (!said?.title || program !== vscode.window.activeTextEditor?.document) return;
+    const named = said.profile ? `${said.title}, ${said.profile}` : said.title;
+    this.item.text = `deburr: ${named}`;
+    this.bar.text = `${ICON[this.server.condition]} deburr: ${named}`;
+    this.bar.tooltip = `deburr reads this as ${named} (${said.reason}); it is ${this.server.condition}, on ${this.server.python}`;
   }
 }

@@ -9,7 +9,9 @@ from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
 
 from deburr.catalogue import rules_of
+from deburr.config import settings_of
 from deburr.detect import detect
+from deburr.expand import interpreter
 from deburr.lsp.capabilities import COMMANDS, EXPANDED, PAGES
 from deburr.lsp.convert import uri_to_file
 from deburr.lsp.previews import Wanted, expanded_uri, wanted_by, wanted_of
@@ -22,6 +24,10 @@ from deburr_grammar.text import split_lines
 
 if TYPE_CHECKING:
     from deburr.ide.expansion import Expanded
+    from deburr_grammar.dialect import Dialect
+
+_ARGUMENTS = {"block_delete": "blockDelete", "machine_values": "machineValues", "keep_n": "keepN"}
+"""What an interpreter heeds, as an argument of `deburr.expand`."""
 
 
 @feature(types.WORKSPACE_EXECUTE_COMMAND)
@@ -134,7 +140,19 @@ def _explained(server: Server, uri: str) -> Json:
         if text is None:
             return {"uri": uri, "dialect": None, "reason": "there is no such file", "file": file}
         dialect, reason = detect(file, text, server.session.settings.hints(file, None))
-    return {"uri": uri, "dialect": dialect, "reason": reason, "file": file}
+    said = _of_language(server, by_name(dialect), file) if dialect else {}
+    return {"uri": uri, "dialect": dialect, "reason": reason, "file": file, **said}
+
+
+def _of_language(server: Server, dialect: Dialect, file: str) -> Json:
+    """A language's title, the profile by which the file is read, and which arguments of `deburr.expand` it heeds besides `define`."""
+    settings = settings_of(dialect, server.session.settings.of(file))
+    heeded = [*getattr(interpreter(dialect.name), "FOLLOWS", ()), *(name for name in ("input",) if name in settings)]
+    return {
+        "title": dialect.title,
+        "profile": settings.get("profile"),
+        "takes": [_ARGUMENTS.get(name, name) for name in heeded],
+    }
 
 
 def _page(name: str) -> str:
