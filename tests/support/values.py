@@ -35,13 +35,13 @@ def analysed(
     return Analysis(Document.parse(text, language), RuleSet(language), path, MemoryHost(files or {}), inputs=inputs)
 
 
-def known(analysis: Analysis) -> Known | None:
-    """What is proven; None where nothing is said of the program."""
+def known(analysis: Analysis, file: str = MAIN) -> Known | None:
+    """What is proven of the lines of a file; None where nothing is said of the program."""
     program = values_of(analysis)
-    return None if program is None else _of(program)
+    return None if program is None else _of(program, file)
 
 
-def known_generally(analysis: Analysis) -> Known | None:
+def known_generally(analysis: Analysis, file: str = MAIN) -> Known | None:
     """What is proven whatever routines are called with and constants are; None where nothing is said of the program."""
     program = values_of(analysis)
     if program is None:
@@ -49,14 +49,16 @@ def known_generally(analysis: Analysis) -> Known | None:
     if program.general is not program:
         for _ in program.general.solving():
             pass
-    return _of(program.general)
+    return _of(program.general, file)
 
 
-def _of(program: Program) -> Known:
+def _of(program: Program, file: str) -> Known:
     before: dict[int, dict[Key, Value]] = {}
     taking: set[int] = set()
     stopping: set[int] = set()
     for name, routine in program.routines.items():
+        if file != MAIN and routine.files is None or routine.is_elsewhere(file):
+            continue
         taking |= set(routine.rows)
         solved = program.solved.get(name)
         if solved is None:

@@ -10,11 +10,16 @@ from deburr.expand import Budget, Inputs, Job, Program, drive
 from deburr.expand.rs274.run import Run
 from deburr.expand.rs274.state import State
 from deburr.expand.rs274.unit import Op, Unit
+from deburr.needs import Needs
+from deburr.ruleset import RuleSet
 from deburr.values import proving, values_of
+from deburr.values.domain import exactly
 from deburr.values.graph import Calls, Env, Graph, Key
 from deburr.values.solve import Solution
 from deburr.values.words import said
 from deburr_grammar.dialect import Role
+from deburr_grammar.dialects import by_name
+from deburr_grammar.document import Document
 from support.programs import generated
 from support.values import MAIN, Known, analysed, known, known_generally
 
@@ -50,8 +55,58 @@ MEANT: dict[str, tuple[str, int, Key, str]] = {
     "what a subprogram leaves alone": ("o<s> sub\n#100=#1\no<s> endsub\n#101=7\n#1=9\no<s> call [3]\nG0 X#101 Y#1\n", 7, 1, "9"),
     "one of several that is set by a computed number": ("#31=1\n#32=5\n#[31+[FIX[#5420] MOD 2]]=3\nG0 X#31 Y#32\n", 4, 32, "3 … 5 step 2"),
     "what nobody can see sets": ("#100=1\no<elsewhere> call\nG0 X#100\n", 3, 100, ""),
+    "what a program shares with one that M98 calls": ("#1=5\nM98 P700\nG0 X#1\nM2\no700\n#1=6\nM99\n", 3, 1, ""),
+    "a name that one that M98 calls cannot see": ("#<a>=5\nM98 P700\nG0 X#<a>\nM2\no700\n#1=6\nM99\n", 3, "a", "5"),
+    "inside a program that M98 calls": ("M98 P700\nM2\no700\n#3=6\nG0 X#3\nM99\n", 5, 3, "6"),
+    "what M98 calls may go on behind it": ("#3=5\no700\nG0 X#3\nM99\n", 3, 3, ""),
+    "an argument that M98 shares with a subprogram": ("o1 sub\nG0 X#1\no1 endsub\no1 call [3]\nM98 P1\n", 2, 1, ""),
+    "what the subprogram of a contour may set": ("#100=5\nG70 Q1\nG0 X#100\n", 3, 100, ""),
 }  # fmt: skip
 """A program behind its frame, a line of it from 1, a parameter, and what it holds before that line."""
+
+
+SUBS_OF_FILES = {
+    "adds.ngc": "o<adds> sub\no<sets> call [#1+1]\no<adds> endsub\n",
+    "sets.ngc": "(a file of its own)\no<sets> sub\n#100=#1\no<sets> endsub\n",
+    "goes.ngc": "o<goes> sub\no<both> call [1]\no<goes> endsub\no<both> sub\n#100=#1\no<both> endsub\n",
+    "torn.ngc": "o<torn> sub\no1 if [#1]\no<torn> endsub\n",
+    "counts.ngc": "o<counts> sub\nM98 P9\no<counts> endsub\no9\n#100=9\nM99\n",
+}
+FILES: dict[str, tuple[str, int, Key, str]] = {
+    "what a file sets that another one calls": ("o<adds> call [4]\nG0 X#100\n", 2, 100, "5"),
+    "what it leaves alone": ("#101=7\no<adds> call [4]\nG0 X#101\n", 3, 101, "7"),
+    "a file behind whose subprogram stands another one": ("o<goes> call\nG0 X#100\n", 2, 100, "1"),
+    "a subprogram of which there are two": ("o<both> sub\n#100=3\no<both> endsub\no<goes> call\nG0 X#100\n", 5, 100, ""),
+    "a file that cannot be read": ("#100=1\no<torn> call\nG0 X#100\n", 3, 100, ""),
+    "a file that calls by numbers": ("#100=1\no<counts> call\nG0 X#100\n", 3, 100, ""),
+    "a subprogram of which there is a file, too": ("o<sets> sub\n#100=3\no<sets> endsub\no<sets> call\nG0 X#100\n", 5, 100, ""),
+}  # fmt: skip
+"""As `MEANT`, beside these files."""
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_what_called_files_do(name: str) -> None:
+    program, line, key, text = FILES[name]
+    found = known(analysed(f"{FRAME}{program}M2\n", "rs274", SUBS_OF_FILES))
+    assert found is not None
+    value = found.before[line].get(key)
+    assert (said(value) if value is not None else "") == text, value
+
+
+def test_a_check_hears_of_the_files_that_it_entered() -> None:
+    analysis = analysed(f"{FRAME}o<adds> call [4]\nG0 X#100\nM2\n", "rs274", SUBS_OF_FILES)
+    needs = analysis.host = Needs(analysis.host)
+    assert values_of(analysis) is not None
+    assert {"adds.ngc", "sets.ngc"} <= {path for path, text in needs.texts.items() if text is not None}
+
+
+@pytest.mark.parametrize("written", ["M428", "m 0 4 28", "M428 P1"])
+def test_a_code_of_the_machines_own_may_set_anything(written: str) -> None:
+    ruleset = RuleSet(by_name("rs274"), {"remap": ("M428",)})
+    document = Document.parse(f"{FRAME}#100=1\n#<a>=2\n{written}\nG0 X#100 Y#<a>\nM2\n", by_name("rs274"))
+    found = known(Analysis(document, ruleset, MAIN))
+    assert found is not None
+    assert found.before[3] == {100: exactly(1.0), "a": exactly(2.0)} and found.before[4] == {}
 
 
 @pytest.mark.parametrize("name", MEANT)
@@ -116,10 +171,9 @@ def test_runs_see_what_is_proven(first: int) -> None:
 def _watched(seed: int) -> int:
     program = generated(seed)
     analysis = analysed(program.text, "rs274", program.files)
-    found, general = known(analysis), known_generally(analysis)
-    if found is None or general is None:
+    if known(analysis) is None:
         return 0
-    watch = _Watch(analysis, found, general)
+    watch = _Watch(analysis)
     with watch.watching():
         job = Job(
             (Program(MAIN, analysis.document),),
@@ -138,10 +192,10 @@ def _watched(seed: int) -> int:
 class _Watch:
     """Looks at the parameters before each line that is executed."""
 
-    def __init__(self, analysis: Analysis, found: Known, general: Known) -> None:
-        self._known = found
-        self._general = general
+    def __init__(self, analysis: Analysis) -> None:
+        self._analysis = analysis
         self._subs = {row for row, bracket in analysis.document.brackets() if bracket.role is Role.REGION}
+        self._proven: dict[str, tuple[Known, Known]] = {}
         self.wrong: list[tuple[object, ...]] = []
         self.seen = 0
 
@@ -155,13 +209,15 @@ class _Watch:
 
         def compiling(run: Run, unit: Unit, row: int) -> Op:
             op = compiled(run, unit, row)
-            if unit.file != MAIN or row not in self._known.taking or row in self._subs:
+            found, general = self._of(unit.file)
+            if row not in found.taking or (unit.file == MAIN and row in self._subs):
                 return op
 
             def executed() -> int:
-                self._look(row, run.state)
+                for each in (found, general):
+                    self._compare(row, run.state, each.before.get(row))
                 behind = op()
-                if row in self._known.stopping:
+                if row in found.stopping:
                     self.wrong.append((row, "is passed"))
                 return behind
 
@@ -172,9 +228,13 @@ class _Watch:
             patch.setattr(Run, "_compiled", compiling)
             yield
 
-    def _look(self, row: int, state: State) -> None:
-        for proven in (self._known, self._general):
-            self._compare(row, state, proven.before.get(row))
+    def _of(self, file: str) -> tuple[Known, Known]:
+        """What is proven of a file, and what whatever it is called with."""
+        if file not in self._proven:
+            found, general = known(self._analysis, file), known_generally(self._analysis, file)
+            assert found is not None and general is not None
+            self._proven[file] = found, general
+        return self._proven[file]
 
     def _compare(self, row: int, state: State, env: Env | None) -> None:
         if env is None:

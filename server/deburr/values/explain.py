@@ -101,10 +101,11 @@ class Explanation:
     def _around(self, routine: Routine, node: Node) -> Place:
         """A node's condition, or its whole line."""
         span = node.condition
-        if span is None:
+        file = self._analysis.file if routine.files is None else routine.files[node.line]
+        if span is None and file == self._analysis.file:
             text = self._analysis.document.line(routine.rows[node.line])
             span = Span(len(text) - len(text.lstrip()), len(text.rstrip()))
-        file = self._analysis.file if routine.files is None else routine.files[node.line]
+        span = span or Span(0, 0)
         return Place(file, routine.rows[node.line], span.start, routine.rows[node.line], span.end)
 
 

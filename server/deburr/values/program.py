@@ -34,7 +34,11 @@ class Routine(NamedTuple):
     graph: Graph
     entry: Env | None
     files: Sequence[str] | None = None
-    """The files of its lines, where it is made from several."""
+    """The files of its lines, where it is made from several or stands in another one."""
+
+    def is_elsewhere(self, file: str) -> bool:
+        """Whether none of its lines stands in a file, so that it only tells what its callers see of it."""
+        return self.files is not None and file not in self.files
 
 
 class Solved(NamedTuple):

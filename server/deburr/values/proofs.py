@@ -25,6 +25,8 @@ def findings(program: Program, analysis: Analysis, written: Written) -> Iterator
     explained = Explanation(program, analysis, written)
     for name, solved in program.solved.items():
         routine = program.routines[name]
+        if routine.is_elsewhere(analysis.file):
+            continue
         for node, proof in _proofs(routine, solved.solution, analysis):
             yield from _found(explained, routine, node, proof, analysis)
     yield from _idle(program, analysis, written)
@@ -70,8 +72,11 @@ def _everywhere(routine: Routine, solution: Solution, node: int, proof: Proof) -
 
 def _idle(program: Program, analysis: Analysis, written: Written) -> Iterator[Finding | None]:
     """Ways that are never taken and routines that are never reached, whatever the switches of the program are set to."""
-    routines = [program.routines[name] for name in program.solved]
-    unreached = [name for name in program.routines if name not in program.solved and _is_called(program, name)]
+    here = [routine for routine in program.routines.values() if not routine.is_elsewhere(analysis.file)]
+    routines = [routine for routine in here if routine.name in program.solved]
+    unreached = [
+        routine.name for routine in here if routine.name not in program.solved and _is_called(program, routine.name)
+    ]
     if not unreached and not any(_ways(routine, program.solved[routine.name].solution) for routine in routines):
         return
     general = program.general

@@ -3,7 +3,7 @@
 Whatever the program is called with, what stands in one of its branches is never run, or the condition
 decides nothing: one of the conditions and settings that lead to it is wrong, and they are named. Nothing is said of what hangs
 on a parameter that is set at one place only, because that is a switch, nor of a condition without parameters, of
-EXISTS, or of a branch that only stops the program. That it always holds is an info.
+EXISTS, or of a branch that stops the program or leaves a loop or subprogram. That it always holds is an info.
 
 Source: spec/rs274.md §3.2, §6
 

@@ -26,7 +26,7 @@ Good:
 
     #1=0
     o1 if [#1]
-    o1 elseif [#1 LT 3]
+    o1 elseif [#5420 LT 3]
     o1 else
     o1 endif
 """

@@ -128,7 +128,8 @@ class Conditions:
             return None
         name = self._expressions.name(part)
         if name is not None:
-            return name
+            # What the control sets may be another one on the next line.
+            return None if self._expressions.is_predefined(name) else name
         return self._expressions.literal(part)
 
 

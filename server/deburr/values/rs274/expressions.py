@@ -36,7 +36,7 @@ class Expressions:
         self._text = text
         self._near = TOLERANCE[settings["compare"]]
         self._last = LAST[settings["profile"]]
-        self._predefined = predefined
+        self.is_predefined = predefined
         self._begun: set[str] = set()
         self.used: set[Hashable] = set()
         self.doubtful = False
@@ -151,7 +151,7 @@ class Expressions:
         """Whether a name is set; 0 where it is set on no way to this place, so that what hangs on it is never reached."""
         param = part.children[2]
         name = self.name(param) if isinstance(param, Node) and param.kind == "param" else None
-        if name is None or name in self._begun or self._predefined(name):
+        if name is None or name in self._begun or self.is_predefined(name):
             return lambda env: EITHER
         self.used.add(name)
 
@@ -203,7 +203,7 @@ class Expressions:
 
     def _read_named(self, param: Node, name: str) -> Get:
         self.used.add(name)
-        if self._predefined(name):
+        if self.is_predefined(name):
             return lambda env: ANY
         begun = name in self._begun
 
@@ -222,7 +222,7 @@ class Expressions:
         return found
 
     def _named_target(self, param: Node, name: str) -> Callable[[Env], tuple[Hashable, ...] | None]:
-        predefined = self._predefined(name)
+        predefined = self.is_predefined(name)
 
         def found(env: Env) -> tuple[Hashable, ...]:
             if predefined:

@@ -10,10 +10,11 @@ from collections import Counter
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from deburr.values.graph import RETURN, STOP, Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof
-from deburr.values.rs274.commands import Block, Commands, Torn
+from deburr.values.graph import Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof
+from deburr.values.rs274.commands import Commands
 from deburr.values.rs274.expressions import Expressions
 from deburr.values.rs274.keys import ANYTHING, is_predefined, is_shared, shared
+from deburr.values.rs274.made import Block, Torn
 from deburr_grammar.dialect import Role
 from deburr_grammar.text import Span
 
@@ -25,12 +26,19 @@ class Builder:
     """Builds one routine's graph."""
 
     def __init__(
-        self, lines: Sequence[Taken], is_main: bool, settings: Mapping[str, Any], block_delete: bool | None
+        self,
+        lines: Sequence[Taken],
+        end: int,
+        settings: Mapping[str, Any],
+        block_delete: bool | None,
+        numbered: frozenset[str],
     ) -> None:
+        """``end``: where the routine goes on behind its last line; ``numbered``: the programs that M98 finds in the same file and nowhere else."""
         self.lines = lines
         self.settings = settings
         self.delete = block_delete
-        self._end = STOP if is_main else RETURN
+        self.end = end
+        self.numbered = numbered
         self._nodes: dict[int, Node] = {}
         self.blocks: dict[int, Block] = {}
         self.loops: list[Loop] = []
@@ -46,7 +54,7 @@ class Builder:
         for at, line in enumerate(self.lines):
             self._take(at, line)
         everything = self._used | self._sets.keys()
-        own = frozenset(key for key in everything if isinstance(key, str) and not key.startswith("_"))
+        own = frozenset(key for key in everything if isinstance(key, str) and not is_shared(key) and key != ANYTHING)
         return Graph(
             self._nodes,
             {head: self._head(head, last) for head, last in self.heads.items() if head in self._nodes},
@@ -86,6 +94,8 @@ class Builder:
                 self.blocks[at].last = at
             elif bracket.kind != "sub":
                 self.blocks[at] = self._middle(around, bracket.kind, bracket.label, at)
+        if around:
+            raise Torn
 
     def _middle(self, around: list[Block], kind: str, label: str, at: int) -> Block:
         if kind == "if" and around and around[-1].kind == "if" and around[-1].label == label:
@@ -105,14 +115,18 @@ class Builder:
             commands.unread()
         elif line.bracket is not None:
             commands.command(command)
+        elif line.is_start:
+            commands.start()
         elif "o_line" in line.node.kinds:
             commands.call()
+        elif line.enters:
+            commands.enter()
         else:
             commands.block()
 
     def behind(self, at: int) -> int:
         """The node of the next line, or where the routine ends."""
-        return 2 * (at + 1) if at + 1 < len(self.lines) else self._end
+        return 2 * (at + 1) if at + 1 < len(self.lines) else self.end
 
     def add(
         self,

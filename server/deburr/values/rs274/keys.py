@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     from deburr.values.rs274.lines import Taken
     from deburr_grammar.tree import Node as Part
 
-UNSEEN = " "
-"""The label of a call of which only the run knows where it leads. No label has a blank in it."""
 ANYTHING = " "
 """What stands among the parameters that a line sets for all that there are. No name has a blank in it."""
 

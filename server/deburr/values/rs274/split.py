@@ -1,17 +1,18 @@
-"""An RS274 program's routines: the main program and its subprograms, each with its flow, which is kept by what its lines say. Solves nothing."""
+"""An RS274 program's routines: the main program, its subprograms and those of called files, programs that M98 calls; each with its flow, which is kept by what its lines say. Solves nothing."""
 
 from __future__ import annotations
 
-from collections import OrderedDict
+from collections import Counter, OrderedDict
 from collections.abc import Hashable, Mapping, Sequence
 from posixpath import basename, splitext
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.values.graph import Env, Graph, unset
+from deburr.values.graph import RETURN, STOP, Env, Graph, unset
 from deburr.values.program import Routine
-from deburr.values.rs274.commands import Torn
+from deburr.values.rs274.files import File, Files
 from deburr.values.rs274.flow import Builder
 from deburr.values.rs274.lines import Taken, taken
+from deburr.values.rs274.made import Torn
 from deburr_grammar.dialect import Role
 
 if TYPE_CHECKING:
@@ -19,77 +20,136 @@ if TYPE_CHECKING:
 
 MAIN = "main program"
 """The name of the main program. No label has a blank in it."""
+_BY_NUMBER = " by number"
+"""What is behind the label in the name of a program that M98 calls."""
+_MOST = 500
+"""So many subprograms of files; of a program that calls more nothing is said."""
 _KEPT = 1_000
 _graphs: OrderedDict[Hashable, Graph] = OrderedDict()
+
+
+class _Part(NamedTuple):
+    """The lines of a routine, the label by which it is called, and the file in which it stands, if that is another one."""
+
+    label: str
+    lines: Sequence[Taken]
+    file: str | None = None
 
 
 def routines_of(analysis: Analysis) -> Mapping[str, Routine] | None:
     """The routines by name; None where the flow hangs on what nobody can see."""
     if analysis.document.faults:
         return None
-    lines = taken(analysis.document)
+    lines = taken(analysis.document, analysis.settings["remap"])
     parts = _parts(lines) if lines is not None else None
     if parts is None:
         return None
+    files = Files(analysis)
+    numbered = _numbered(parts, files)
     try:
-        graphs = {name: _graph(analysis, name, part) for name, part in parts.items()}
+        graphs = {name: _graph(analysis, name, part.lines, numbered) for name, part in parts.items()}
+        called = frozenset().union(*(graph.callees for graph in graphs.values())) - parts.keys()
+        elsewhere = _of_files(analysis, files, set(called))
     except Torn:
         return None
     opened = _opened(analysis, parts, graphs)
+    times = Counter([*(part.label for part in parts.values()), *(part.label for part, _ in elsewhere)])
     found = {}
     for name, part in parts.items():
         # A file of that name would be called instead of the subprogram, so that no call is known to lead to it.
-        known = f"{name} " if name != MAIN and _has_file(analysis, name) else name
-        graph = graphs[name]
-        entry = _start(analysis, graph) if name == MAIN else opened.get(name)
-        found[known] = Routine(known, [line.row for line in part], graph, entry)
+        is_hidden = name != MAIN and (times[part.label] > 1 or files.has(part.label))
+        known = f"{name} " if is_hidden else name
+        entry = _start(analysis, graphs[name]) if name == MAIN else opened.get(name)
+        found[known] = Routine(known, [line.row for line in part.lines], graphs[name], entry)
+    for part, graph in elsewhere:
+        # Of two subprograms of one name, or of one that also has another file, nobody knows which is called.
+        is_hidden = times[part.label] > 1 or not _is_in_own_file(files, part)
+        known = f"{part.label} of {part.file}" if is_hidden else part.label
+        rows = [line.row for line in part.lines]
+        found[known] = Routine(known, rows, graph, None, [part.file or ""] * len(rows))
     return found
 
 
-def _parts(lines: Sequence[Taken]) -> dict[str, list[Taken]] | None:
-    """The lines of each routine."""
+def _is_in_own_file(files: Files, part: _Part) -> bool:
+    file = files.read(part.label)
+    return file is None or file.path == part.file
+
+
+def _parts(lines: Sequence[Taken]) -> dict[str, _Part] | None:
+    """The lines of each routine. What stands behind a subprogram belongs to what stands before it."""
     found: dict[str, list[Taken]] = {MAIN: []}
-    inside = MAIN
+    labels = {MAIN: ""}
+    inside = outside = MAIN
     for line in lines:
         bracket = line.bracket
-        if bracket is not None and bracket.role is Role.REGION:
-            if bracket.label is None or bracket.label in found or "DELETE" in line.node.kinds:
+        if bracket is not None and bracket.role is Role.REGION or line.is_start:
+            label = _label(line)
+            inside = f"{label}{_BY_NUMBER}" if line.is_start else label or ""
+            if label is None or inside in found or "DELETE" in line.node.kinds:
                 return None
-            inside = bracket.label
-            found[inside] = []
+            labels[inside], found[inside] = label, []
+            outside = inside if line.is_start else outside
         found[inside].append(line)
         if bracket is not None and bracket.role is Role.END_REGION:
-            inside = MAIN
-    return found
+            inside = outside
+    return {name: _Part(labels[name], part) for name, part in found.items()}
 
 
-def _graph(analysis: Analysis, name: str, lines: Sequence[Taken]) -> Graph:
+def _label(line: Taken) -> str | None:
+    from deburr_grammar.dialects.rs274.outline import label_of
+
+    if line.bracket is not None:
+        return line.bracket.label
+    label = next(line.node.find("label"), None)
+    return label_of(line.node.text, label) if label is not None else None
+
+
+def _numbered(parts: Mapping[str, _Part], files: Files) -> frozenset[str]:
+    """The programs that M98 finds in this file and nowhere else."""
+    labels = {part.label for name, part in parts.items() if name.endswith(_BY_NUMBER) and part.label not in parts}
+    return frozenset(label for label in labels if not files.has(label))
+
+
+def _graph(analysis: Analysis, name: str, lines: Sequence[Taken], numbered: frozenset[str]) -> Graph:
     settings, delete = analysis.settings, analysis.inputs.block_delete
-    how = (name == MAIN, settings["compare"], settings["profile"], delete)
-    key = (how, tuple(line.node.text for line in lines))
+    end = STOP if name == MAIN or name.endswith(_BY_NUMBER) else RETURN
+    entered = numbered & {line.enters for line in lines}
+    key = (end, settings["compare"], settings["profile"], delete, entered, tuple(line.node.text for line in lines))
     found = _graphs.get(key)
     if found is None:
-        found = _graphs[key] = Builder(lines, name == MAIN, settings, delete).graph()
+        found = _graphs[key] = Builder(lines, end, settings, delete, entered).graph()
         while len(_graphs) > _KEPT:
             _graphs.popitem(last=False)
     _graphs.move_to_end(key)
     return found
 
 
-def _opened(analysis: Analysis, parts: Mapping[str, Sequence[Taken]], graphs: Mapping[str, Graph]) -> dict[str, Env]:
-    """What subprograms start with that other programs may call. A remapped code may set the local names of the one with the file's name."""
+def _opened(analysis: Analysis, parts: Mapping[str, _Part], graphs: Mapping[str, Graph]) -> dict[str, Env]:
+    """What routines start with that others may call than those of this program.
+
+    A remapped code may set the local names of the one with the file's name. To a program that M98 calls anything may
+    lead, also the end of the lines above it; and M98 may call a subprogram with a number.
+    """
     stem = splitext(basename(analysis.file))[0].lower()
     library = len(parts) > 1 and not _has_main(analysis, parts)
     own = {stem} & parts.keys()
-    names = parts.keys() - {MAIN} if library else own
-    return {name: unset(graphs[name].locals, name not in own) for name in names}
+    called = {line.enters for part in parts.values() for line in part.lines} - {""}
+    subs = {name for name in parts if name != MAIN and not name.endswith(_BY_NUMBER)}
+    names = subs if library else own & subs
+    names |= {name for name in subs if called and name.isdecimal()}
+    return {
+        **{name: unset(graphs[name].locals, name not in own) for name in names},
+        **{name: unset(graphs[name].locals, False) for name in parts if name.endswith(_BY_NUMBER)},
+    }
 
 
-def _has_main(analysis: Analysis, parts: Mapping[str, Sequence[Taken]]) -> bool:
+def _has_main(analysis: Analysis, parts: Mapping[str, _Part]) -> bool:
     """Whether anything is done outside of subprograms, other than to end the program."""
     document = analysis.document
-    inside = {row for name, part in parts.items() if name != MAIN for row in range(part[0].row, part[-1].row + 1)}
-    ends = {line.row for line in parts[MAIN] if line.ends}
+    outside = [part for name, part in parts.items() if name == MAIN or name.endswith(_BY_NUMBER)]
+    subs = [part for part in parts.values() if part not in outside]
+    inside = {row for part in subs for row in range(part.lines[0].row, part.lines[-1].row + 1)}
+    ends = {line.row for part in outside for line in part.lines if line.ends}
     for row in range(document.line_count):
         if (
             row not in inside
@@ -106,10 +166,31 @@ def _start(analysis: Analysis, graph: Graph) -> Env:
     return unset(graph.locals - given, True)
 
 
-def _has_file(analysis: Analysis, label: str) -> bool:
-    """Whether there may be a file of a subprogram's name."""
-    folders = (analysis.file.rpartition("/")[0], *analysis.settings["subroutine-path"])
-    return any(
-        analysis.host.read(f"{folder.rstrip('/')}/{label}.ngc" if folder else f"{label}.ngc") is not None
-        for folder in folders
-    )
+def _of_files(analysis: Analysis, files: Files, labels: set[str]) -> list[tuple[_Part, Graph]]:
+    """The subprograms of the files of some labels, and of those that they call in their turn. What cannot be followed is left out."""
+    found: list[tuple[_Part, Graph]] = []
+    waiting, seen = sorted(labels), set(labels)
+    while waiting:
+        file = files.read(waiting.pop())
+        for part in _parts_of(analysis, file) if file is not None else ():
+            graph = _graph(analysis, part.label, part.lines, frozenset())
+            found.append((part, graph))
+            waiting += sorted(graph.callees - seen)
+            seen |= graph.callees
+        if len(found) > _MOST:
+            raise Torn
+    return found
+
+
+def _parts_of(analysis: Analysis, file: File) -> list[_Part]:
+    lines = taken(file.document, analysis.settings["remap"]) if not file.document.faults else None
+    parts = _parts(lines) if lines is not None else None
+    if parts is None or any(name.endswith(_BY_NUMBER) for name in parts):
+        return []
+    subs = [part._replace(file=file.path) for name, part in parts.items() if name != MAIN]
+    try:
+        for part in subs:
+            _graph(analysis, part.label, part.lines, frozenset())
+    except Torn:
+        return []
+    return subs
