@@ -5,7 +5,7 @@ from typing import Any
 from deburr import __version__
 from deburr.lsp.client import Client
 
-COMMANDS = ("deburr.expand", "deburr.sourceMap", "deburr.explainDialect")
+COMMANDS = ("deburr.expand", "deburr.sourceMap", "deburr.plot", "deburr.explainDialect")
 EXPANDED = "deburr-expanded"
 """The scheme of flat programs."""
 PAGES = "deburr-rule"

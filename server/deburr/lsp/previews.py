@@ -54,7 +54,9 @@ class Wanted(NamedTuple):
         return Inputs(dict(self.define), self.block_delete, self.simulate, self.keep_n, self.decimals)
 
 
-class _Made(NamedTuple):
+class Made(NamedTuple):
+    """A flat program, the versions of the programs that it was made from, and all that was asked of other files for it."""
+
     views: tuple[View, ...]
     needs: Needs | None
     expanded: Expanded
@@ -65,22 +67,31 @@ class Previews:
 
     def __init__(self, server: Server) -> None:
         self._server = server
-        self._made: dict[Wanted, _Made] = {}
+        self._made: dict[Wanted, Made] = {}
         self._served: dict[str, tuple[Wanted, frozenset[str], Needs | None]] = {}
         self._numbers = count(1)
         self._instead: tuple[View, str, View] | None = None
 
     async def expanded(self, wanted: Wanted, token: int | str | None = None) -> Expanded | None:
-        """Expand programs between messages; None if one is none. An edit of one of them makes the run start again with what is there then."""
+        """Expand programs between messages; None if one is none."""
+        made = await self.made(wanted, token)
+        return made.expanded if made is not None else None
+
+    async def made(self, wanted: Wanted, token: int | str | None = None) -> Made | None:
+        """The same with what it was made from. An edit of a program makes the run start again with what is there then."""
         while (views := self._views(wanted)) is not None:
             kept = self._made.get(wanted)
-            if kept is not None and _same(kept.views, views) and not (kept.needs is not None and kept.needs.stale()):
-                return kept.expanded
+            if kept is not None and self.holds(wanted, kept):
+                return kept
             made = await self._run(wanted, views, token)
             if made is not None:
                 self._keep(wanted, made)
-                return made.expanded
+                return made
         return None
+
+    def holds(self, wanted: Wanted, made: Made) -> bool:
+        """Whether a flat program is still what its programs come to."""
+        return _same(made.views, self._views(wanted) or ()) and not (made.needs is not None and made.needs.stale())
 
     async def content(self, uri: str) -> str:
         """The text of a virtual document; from now on the client is told when it is another."""
@@ -115,7 +126,7 @@ class Previews:
         found = (wanted for wanted, made in self._made.items() if file in made.expanded.source_map.files)
         return next(reversed(list(found)), None)
 
-    async def _run(self, wanted: Wanted, views: tuple[View, ...], token: int | str | None) -> _Made | None:
+    async def _run(self, wanted: Wanted, views: tuple[View, ...], token: int | str | None) -> Made | None:
         """One run; None if it was overtaken by an edit."""
         first = views[0]
         needs = None if isinstance(first.host, NoFiles) else Needs(first.host)
@@ -133,7 +144,7 @@ class Previews:
                 try:
                     steps = next(work)
                 except StopIteration as done:
-                    return _Made(views, needs, done.value)
+                    return Made(views, needs, done.value)
                 progress.say(f"{steps:,} blocks executed" if steps else "checking")
                 await asyncio.sleep(0)
         return None
@@ -160,7 +171,7 @@ class Previews:
             kept = self._instead = view, text, instead(view, text)
         return kept[2]
 
-    def _keep(self, wanted: Wanted, made: _Made) -> None:
+    def _keep(self, wanted: Wanted, made: Made) -> None:
         self._made.pop(wanted, None)
         if len(made.expanded.source_map) <= _LONGEST:
             self._made[wanted] = made

@@ -26,6 +26,7 @@ from deburr.lsp import features
 from deburr.lsp.alive import watch
 from deburr.lsp.checks import Checks
 from deburr.lsp.idle import Idle
+from deburr.lsp.plots import Plots
 from deburr.lsp.previews import Previews
 from deburr.lsp.protocol import Protocol
 from deburr.lsp.publish import Publisher
@@ -81,6 +82,7 @@ class Server(LanguageServer):
         self.publisher.checks = self.checks
         self.checks.depended = self.publisher.refresh
         self.previews = Previews(self)
+        self.plots = Plots(self)
         self.checks.changed = self.previews.changed
         self.protocol.trace = trace_of(client.trace)
         self.coloured: dict[str, list[int]] = {}
