@@ -44,6 +44,9 @@ QUIET = {
 _BROWSER = (
     "--no-sandbox",
     "--disable-gpu",
+    # Pictures in three dimensions are drawn by the processor.
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
     "--disable-quic",
     "--no-first-run",
     "--disable-background-networking",

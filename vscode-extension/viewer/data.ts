@@ -173,7 +173,8 @@ export class Text {
   /** A line by its number from 0, without its end. */
   line(row: number): string {
     const starts = this.index();
-    return row + 1 < starts.length ? new TextDecoder().decode(this.whole.subarray(starts[row], starts[row + 1]! - 1)) : '';
+    const [start, end] = [starts[row], starts[row + 1]];
+    return start === undefined || end === undefined ? '' : new TextDecoder().decode(this.whole.subarray(start, end - 1));
   }
 
   private index(): Uint32Array {

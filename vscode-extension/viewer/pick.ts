@@ -11,7 +11,8 @@ export interface Visible {
   readonly cuts: boolean;
 }
 
-const BAND = 2;
+/** Pixels that are taken for equally near. */
+const BAND = 1;
 
 /** The move nearest to a place on the screen, at most `reach` pixels off; of several equally near the one in front, then the last. */
 export function pick(path: Toolpath, to: Projection, x: number, y: number, reach: number, visible: Visible): number | undefined {
