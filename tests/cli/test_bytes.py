@@ -148,7 +148,7 @@ def test_the_disk_decodes_as_programs_are_decoded(tmp_path):
     (tmp_path / "b.ngc").write_bytes(b"\xef\xbb\xbf(\xe4)\0")
     (tmp_path / "a.ngc").write_bytes("(ä)".encode())
     disk, folder = Disk(), tmp_path.as_posix()
-    assert disk.names(folder) == ["a.ngc", "b.ngc"] and disk.names(f"{folder}/none") == ()
+    assert disk.names(folder) == ("a.ngc", "b.ngc") and disk.names(f"{folder}/none") == ()
     assert (disk.read(f"{folder}/a.ngc"), disk.read(f"{folder}/none")) == ("(ä)", None)
     assert disk.read(f"{folder}/b.ngc") == "(ä)"
     assert disk.read(folder) is None

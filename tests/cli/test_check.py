@@ -174,7 +174,7 @@ def test_quiet_and_verbose(shell):
     shell.write("a.ngc", CLEAN)
     shell.write("b.nc", CLEAN)
     assert shell.run("check", "-q") == (0, "", "")
-    ran = shell.run("check", "-v", ".")
+    ran = shell.run("check", "-v", "--no-cache", ".")
     assert ran.out == "All checks passed (1 checked, 1 skipped: no dialect)\n"
     first, second = ran.err.splitlines()
     assert first == "deburr: a.ngc: rs274 (the extension .ngc), no configuration"

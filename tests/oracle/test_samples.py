@@ -16,7 +16,7 @@ BROKEN_AS_SHIPPED = {("nestedcall.ngc", 11, "rs274.o-unknown")}
 def test_no_error_on_the_sample_programs(capsys: pytest.CaptureFixture[str]) -> None:
     programs = sorted(SAMPLES.rglob("*.ngc"))
     assert len(programs) == 185
-    assert main(["check", "--no-run", "--output-format", "json", "-j", "1", *map(str, programs)]) == 1
+    assert main(["check", "--no-cache", "--no-run", "--output-format", "json", "-j", "1", *map(str, programs)]) == 1
     findings = json.loads(capsys.readouterr().out)
     errors = {
         (Path(finding["filename"]).name, finding["location"]["row"], finding["rule"])

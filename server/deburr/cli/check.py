@@ -4,6 +4,8 @@ import argparse
 import os
 import sys
 from collections.abc import Iterable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
 
 from deburr import paths
 from deburr.cli.checkoptions import parser, top
@@ -18,15 +20,25 @@ from deburr.cli.style import Style
 from deburr.config import ConfigError
 from deburr.configfile import Configs
 
+if TYPE_CHECKING:
+    from deburr.cli.cache import Cache
+
 __all__ = ["parser", "run"]
 
 _WORTH_FORKING = 2_000_000
 """Bytes below which more processes cost more than they save."""
+_WORTH_KEEPING = 64_000
+"""Bytes of a single program below which to look for its result costs about what a check costs."""
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Check and report."""
+    """Check and report; again and again if that is asked for."""
     try:
+        _consistent(arguments)
+        if arguments.watch:
+            from deburr.cli.watch import watched
+
+            return watched(arguments, _checked)
         return _checked(arguments)
     except ConfigError as error:
         return unable(error.messages)
@@ -34,12 +46,17 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _checked(arguments: argparse.Namespace) -> int:
     outputs = outputs_of(arguments, statistics=arguments.statistics)
-    _consistent(arguments)
     configs = Configs(top(arguments), arguments.config)
     found = _targets(arguments, configs)
     _distinct(outputs, found)
-    options = _options(arguments, outputs)
-    made = tuple(outcomes(Checker(configs, options), found, _processes(arguments.jobs, found)))
+    cache = _cache(arguments, found, configs)
+    options = _options(arguments, outputs, cache)
+    work = outcomes(Checker(configs, options, cache), found, partial(_processes, arguments.jobs))
+    if len(found) > 1 and not arguments.quiet and sys.stderr.isatty():
+        from deburr.cli.progress import shown
+
+        work = shown(work, len(found))
+    made = tuple(work)
     if wrong := Result(made).misgiven:
         return unable([wrong])
     if not found:
@@ -58,6 +75,8 @@ def _consistent(arguments: argparse.Namespace) -> None:
         raise ConfigError("--update-baseline: say with --baseline which file")
     if arguments.update_baseline and arguments.shard:
         raise ConfigError("--update-baseline: a part does not know what the others found; give it to `deburr merge`")
+    if arguments.watch and (arguments.fix or arguments.diff or STDIN in arguments.paths or arguments.stdin_filename):
+        raise ConfigError("--watch: watches files and changes none; leave out --fix, --diff and standard input")
     if arguments.baseline:
         from deburr.cli.baseline import load
 
@@ -76,13 +95,28 @@ def _targets(arguments: argparse.Namespace, configs: Configs) -> list[Target]:
     return found
 
 
-def _options(arguments: argparse.Namespace, outputs: Sequence[Output]) -> Options:
+def _options(arguments: argparse.Namespace, outputs: Sequence[Output], cache: "Cache | None") -> Options:
     loud = any(each.form == "full" for each in outputs)
     fixes = Fixes(arguments.unsafe_fixes, arguments.diff) if arguments.fix or arguments.diff else None
-    keys = bool(arguments.baseline) or keyed(outputs)
+    # What is kept serves every form of report.
+    keys = cache is not None or bool(arguments.baseline) or keyed(outputs)
     return Options(
         arguments.dialect, arguments.stdin_filename, loud, inputs_of(arguments), arguments.variables, fixes, keys
     )
+
+
+def _cache(arguments: argparse.Namespace, found: Sequence[Target], configs: Configs) -> "Cache | None":
+    """Where results are kept; nowhere if that costs more than it saves, or if programs are changed."""
+    changes = arguments.fix or arguments.diff
+    if arguments.no_cache or changes or any(target.file == STDIN for target in found):
+        return None
+    if len(found) < 2 and sum(paths.size(target.file) for target in found) < _WORTH_KEEPING:
+        return None
+    from deburr.cli.cache import opened
+
+    here = paths.working_folder()
+    home = paths.parent(configs.in_folder(here).origin)
+    return opened(home if home and f"{here}/".startswith(f"{home.rstrip('/')}/") else here)
 
 
 def _compared(made: tuple[Outcome, ...], arguments: argparse.Namespace) -> Result:
@@ -123,7 +157,8 @@ def _say(found: Iterable[Outcome], verbose: bool) -> None:
             complain(f"{name}: skipped, {outcome.reason}", "")
         elif verbose:
             origin = style.file(outcome.origin) if outcome.origin else "no configuration"
-            complain(f"{name}: {outcome.dialect} ({outcome.reason}), {origin}", "")
+            kept = ", known from an earlier check" if outcome.kept else ""
+            complain(f"{name}: {outcome.dialect} ({outcome.reason}), {origin}{kept}", "")
             if (stop := outcome.stopped) is not None:
                 complain(f"{name}: run stopped at {style.file(stop.file)}:{stop.line + 1}: {stop.why}", "")
 

@@ -101,6 +101,16 @@ def _add_archives(found: argparse.ArgumentParser) -> None:
         help="only the K-th of N parts of the programs; `deburr merge` makes one report of the parts' reports (json or json-lines)",
     )
     found.add_argument(
+        "--no-cache",
+        action="store_true",
+        help="keep no results, and look up none; else they lie in .deburr_cache, or where DEBURR_CACHE_DIR says",
+    )
+    found.add_argument(
+        "--watch",
+        action="store_true",
+        help="check again whenever a file changes, until interrupted (needs deburr[watch])",
+    )
+    found.add_argument(
         "-j", "--jobs", type=_jobs, metavar="N", help="processes (default: as many as cores, if there is work for them)"
     )
 

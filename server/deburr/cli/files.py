@@ -9,7 +9,7 @@ from deburr.configfile import Configs
 from deburr.detect import known_extensions
 
 STDIN = "-"
-_NEVER = frozenset((".git", ".hg", ".svn", ".jj", ".venv", "venv", "node_modules", "__pycache__"))
+_NEVER = frozenset((".git", ".hg", ".svn", ".jj", ".venv", "venv", "node_modules", "__pycache__", ".deburr_cache"))
 
 
 class Target(NamedTuple):

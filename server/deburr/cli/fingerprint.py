@@ -16,9 +16,10 @@ def key(finding: Finding, text: str) -> str:
     return digest(finding.rule, " ".join(text.split()))
 
 
-def digest(*parts: str) -> str:
-    """Texts as 32 hexadecimal digits; other parts, other digits."""
-    return blake2b("\0".join(parts).encode("utf-8", "surrogatepass"), digest_size=16).hexdigest()
+def digest(*parts: str | bytes) -> str:
+    """Texts and bytes as 32 hexadecimal digits. Only the last of them may hold a NUL, or one text would be taken for two."""
+    data = (part if isinstance(part, bytes) else part.encode("utf-8", "surrogatepass") for part in parts)
+    return blake2b(b"\0".join(data), digest_size=16).hexdigest()
 
 
 def counted(keys: Iterable[tuple[str, str]]) -> Iterator[str]:

@@ -1,9 +1,9 @@
 """One file from its bytes to an outcome, and many of them on several cores in the same order. Prints nothing."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr import paths
+from deburr import paths, source
 from deburr.analysis import Analysis
 from deburr.check import check
 from deburr.cli.disk import Disk
@@ -18,9 +18,12 @@ from deburr.host import Host, NoFiles
 from deburr.inputs import Inputs
 from deburr.ruleset import RuleSet
 from deburr.source import Source
+from deburr_grammar.dialects import by_name
 from deburr_grammar.text import split_lines
 
 if TYPE_CHECKING:
+    from deburr.cli.cache import Cache
+    from deburr.cli.kept import Keeper
     from deburr.ran import Stop
 
 AROUND = 2
@@ -51,6 +54,8 @@ class Outcome(NamedTuple):
     """Where its run ended before the end, if it did in silence."""
     keys: tuple[str, ...] = ()
     """By what each finding is known again; none if nobody asked."""
+    kept: bool = False
+    """Whether it was found by an earlier check."""
 
 
 class Fixes(NamedTuple):
@@ -78,11 +83,34 @@ class Options(NamedTuple):
 class Checker:
     """Checks files one by one and keeps what they share: configurations, rule sets, files read."""
 
-    def __init__(self, configs: Configs, options: Options) -> None:
+    def __init__(self, configs: Configs, options: Options, cache: "Cache | None" = None) -> None:
+        self._configs = configs
         self._opener = Opener(configs, options.dialect, options.stdin_name)
         self._options = options
         self._rulesets = RuleSets()
         self._disk = Disk()
+        self._keeper: Keeper | None = None
+        if cache is not None:
+            from deburr.cli.kept import Keeper as Keeping
+
+            self._keeper = Keeping(cache, self._disk, options)
+
+    def kept(self, target: Target) -> Outcome | None:
+        """What an earlier check found in a file, if nothing that decides it has changed."""
+        if self._keeper is None or target.failure or target.file == STDIN:
+            return None
+        try:
+            data = paths.data(target.file)
+        except OSError:
+            return None
+        config = self._configs.of(target.file)
+        outcome = self._keeper.find(self._keeper.name(target.file, data, config), target.file, config.fail_on)
+        if outcome is None or outcome.dialect is None:
+            return None
+        self._configs.require(config, by_name(outcome.dialect))
+        if self._options.texts and outcome.findings and isinstance(found := source.read(data), Source):
+            return outcome._replace(texts=texts(outcome.findings, target.file, found, self._disk))
+        return outcome
 
     def outcome(self, target: Target) -> Outcome:
         """What becomes of a file."""
@@ -96,10 +124,14 @@ class Checker:
         run, inputs = _Runs(), inputs_for(self._options.inputs, self._options.values, dialect)
         runs = run if config.runs else None
         ruleset, host = self._ruleset(opening), self._host(name)
+        if self._keeper is not None:
+            from deburr.needs import Needs
+
+            host = needs = Needs(host)
         findings = check(found, dialect, ruleset, file, host, runs, inputs, mend=True)
         shown = texts(findings, file, found, host) if self._options.texts and findings else ()
         keys = _keys(findings, file, found, host) if self._options.keys and findings else ()
-        return Outcome(
+        outcome = Outcome(
             file,
             dialect.name,
             reason,
@@ -112,6 +144,9 @@ class Checker:
             stopped=run.stopped,
             keys=keys,
         )
+        if self._keeper is not None and name == file:
+            self._keeper.keep(self._keeper.name(file, found.data, config), outcome, needs)
+        return outcome
 
     def _fixed(self, opening: Opening, piped: bool) -> Outcome:
         """Mend a program, write or show it, and check what has become of it."""
@@ -162,8 +197,18 @@ class _Runs:
         self.stopped = stop
 
 
-def outcomes(checker: Checker, targets: Sequence[Target], jobs: int) -> Iterator[Outcome]:
-    """The outcomes in the order of the targets, whatever the number of processes."""
+def outcomes(
+    checker: Checker, targets: Sequence[Target], processes: Callable[[Sequence[Target]], int]
+) -> Iterator[Outcome]:
+    """The outcomes in the order of the targets, whatever the number of processes, which depends on what is to be done."""
+    kept = [checker.kept(target) for target in targets]
+    wanted = [target for target, known in zip(targets, kept) if known is None]
+    made = _made(checker, wanted, processes(wanted))
+    for known in kept:
+        yield known or next(made)
+
+
+def _made(checker: Checker, targets: Sequence[Target], jobs: int) -> Iterator[Outcome]:
     if jobs < 2 or len(targets) < 2 or any(target.file == STDIN for target in targets):
         yield from map(checker.outcome, targets)
         return
