@@ -143,37 +143,16 @@ class Template:
         return found
 
     def _items(self, line: int, node: LineNode, section: Section) -> Iterator[Item]:
-        for kind, start, end, part in raw_items(node):
-            text = node.text[start:end]
-            if part is LOST:
-                yield Item(kind, line, start, end, text, "?")
-                continue
-            if part is not None:
-                self.uses += self._uses_in(line, node, part, section)
-            if kind == "word":
-                yield from self._spelled(Item(kind, line, start, end, text), section)
-            else:
-                yield Item(kind, line, start, end, text, name_of(kind, text), part)
+        self.uses += self._uses_on(line, node, section)
+        return items_of(line, node, self.symbols)
 
-    def _spelled(self, item: Item, section: Section) -> Iterator[Item]:
-        spelled = self.symbols.spell(item.text[1:], True)
-        self.uses.append(Use(item.line, item.span, item.text[1:], "output", spelled, section))
-        end = item.end - len(spelled.rest)
-        kind = {
-            "AND": "operator",
-            "OR": "operator",
-            "EXC": "operator",
-            "ELSE": "else",
-            "EXIT": "exit",
-            "EXITC": "exit",
-            "ONBLK": "onblk",
-        }
-        found = kind.get(spelled.name, "word") if spelled.kind == "command" else "word"
-        yield Item(found, item.line, item.start, end, item.text[: end - item.start], spelled.name)
-        if spelled.kind in ("unknown", "undeclared"):
-            yield Item("head", item.line, item.start, end, item.text)
-        if spelled.rest:
-            yield Item("text", item.line, end, item.end, spelled.rest)
+    def _uses_on(self, line: int, node: LineNode, section: Section) -> Iterator[Use]:
+        for kind, start, end, part in raw_items(node):
+            if part is not None and part is not LOST:
+                yield from self._uses_in(line, node, part, section)
+            elif kind == "word":
+                said = node.text[start + 1 : end]
+                yield Use(line, Span(start, end), said, "output", self.symbols.spell(said, True), section)
 
     def _uses_in(self, line: int, node: LineNode, part: Node, section: Section) -> Iterator[Use]:
         for token, role in words_in(part):
@@ -181,11 +160,42 @@ class Template:
             yield Use(line, Span(token.start, token.end), said, role, self.symbols.spell(said, False), section)
 
 
+def items_of(line: int, node: LineNode, symbols: Symbols) -> Iterator[Item]:
+    """The items of a template line, words parted from the text that abuts them."""
+    for kind, start, end, part in raw_items(node):
+        text = node.text[start:end]
+        if part is LOST:
+            yield Item(kind, line, start, end, text, "?")
+        elif kind == "word":
+            yield from _spelled(Item(kind, line, start, end, text), symbols)
+        else:
+            yield Item(kind, line, start, end, text, name_of(kind, text), part)
+
+
+def _spelled(item: Item, symbols: Symbols) -> Iterator[Item]:
+    spelled = symbols.spell(item.text[1:], True)
+    end = item.end - len(spelled.rest)
+    found = _CONTROLS.get(spelled.name, "word") if spelled.kind == "command" else "word"
+    yield Item(found, item.line, item.start, end, item.text[: end - item.start], spelled.name)
+    if spelled.kind in ("unknown", "undeclared"):
+        yield Item("head", item.line, item.start, end, item.text)
+    if spelled.rest:
+        yield Item("text", item.line, end, item.end, spelled.rest)
+
+
 def _declares(first: Use | None) -> bool:
     """Whether a line of `@DECLARE` begins with a declaration, or with a word that may be a misspelt one."""
     return first is not None and (first.role == "declared" or first.spelled.kind == "unknown")
 
 
+_CONTROLS = {
+    **dict.fromkeys(("AND", "OR", "EXC"), "operator"),
+    "ELSE": "else",
+    "EXIT": "exit",
+    "EXITC": "exit",
+    "ONBLK": "onblk",
+}
+"""What a command without parentheses is where text abuts it."""
 _NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
 
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 UNITS = 1024
 """Grids are counted in units of 1/1024: fine enough for what people count in halves and quarters, and exact in doubles."""
 LARGEST = 2.0**40
 """Up to this magnitude sums and differences on a grid are exact in doubles."""
+TEXTS = 8
+"""So many texts are told apart; of more nothing is known."""
 
 _VAST = 1e300
 
@@ -19,7 +22,7 @@ class Value(NamedTuple):
     ``step``: the distance on the grid, in units, counted from a bound; 0: no grid is known. Beyond `LARGEST` the only grid is that of
     the integers: what is added and multiplied there is rounded, but to integers.
     ``holed``: 0 is none of them. ``wild``: it may also be no finite number. ``unset``: it may also be that nothing was set.
-    With ``low`` above ``high`` no finite number is left.
+    ``texts``: it may also be one of these texts. With ``low`` above ``high`` no finite number is left.
     """
 
     low: float
@@ -28,6 +31,7 @@ class Value(NamedTuple):
     holed: bool = False
     wild: bool = False
     unset: bool = False
+    texts: frozenset[str] = frozenset()
 
     @property
     def exact(self) -> bool:
@@ -42,7 +46,7 @@ class Value(NamedTuple):
     @property
     def impossible(self) -> bool:
         """Whether nothing at all is in it: what has this value is never reached."""
-        return self.low > self.high and not self.wild and not self.unset
+        return self.low > self.high and not self.wild and not self.unset and not self.texts
 
     @property
     def whole(self) -> bool:
@@ -86,6 +90,11 @@ def exactly(number: float) -> Value:
     return Value(number, number) if math.isfinite(number) else NOTHING._replace(wild=True)
 
 
+def any_of(texts: frozenset[str]) -> Value:
+    """One of some texts, and no number; of many texts nothing is known."""
+    return NOTHING._replace(texts=texts) if len(texts) <= TEXTS else ANY
+
+
 def between(low: float, high: float, step: int = 0, whole: bool = False) -> Value:
     """A range; a bound at infinity stands for results that are not finite, too. ``whole``: whether all are integers."""
     if math.isnan(low) or math.isnan(high):
@@ -95,9 +104,14 @@ def between(low: float, high: float, step: int = 0, whole: bool = False) -> Valu
 
 def joined(one: Value, two: Value) -> Value:
     """What is in one or the other."""
-    if one is two or one == two:
-        return one
+    return one if one is two or one == two else _joined(one, two)
+
+
+@lru_cache(maxsize=16_384)
+def _joined(one: Value, two: Value) -> Value:
     wild, unset = one.wild or two.wild, one.unset or two.unset
+    if one.texts or two.texts:
+        return any_of(one.texts | two.texts) if one.empty and two.empty and not (wild or unset) else ANY
     if one.empty or two.empty:
         return (two if one.empty else one)._replace(wild=wild, unset=unset)
     low, high = min(one.low, two.low), max(one.high, two.high)

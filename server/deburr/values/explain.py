@@ -7,7 +7,8 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from deburr.finding import Place, Related
-from deburr.values.domain import ANY
+from deburr.values.domain import ANY, Value, joined
+from deburr.values.graph import Telling
 from deburr.values.words import said
 from deburr_grammar.text import Span
 
@@ -51,12 +52,13 @@ class Explanation:
     ) -> Iterator[Related]:
         behind: list[tuple[int, list[Hashable]]] = []
         for key in keys:
-            for place, why in self._sources(routine, solution, node, key):
+            sources = list(self._sources(routine, solution, node, key))
+            for place, why in sources:
                 yield Related(self._around(routine, place), why)
                 inner = [each for each in place.used if each is not None and each != key]
                 if key in place.sets and depth and inner:
                     behind.append((next(n for n, p in routine.graph.nodes.items() if p is place), inner))
-            if depth == _DEPTH and solution.before[node].get(key, ANY) != ANY:
+            if (depth == _DEPTH or not sources) and solution.before[node].get(key, ANY) != ANY:
                 yield from self._calls(routine, solution, key)
         for number, inner in behind:
             yield from self._led(routine, solution, number, sorted(inner, key=str), depth - 1)
@@ -70,7 +72,7 @@ class Explanation:
                 place = routine.graph.nodes[source]
                 value = solution.before[node].get(key, ANY)
                 if key in place.sets:
-                    yield place, f"`{self._written(key)}` is set here{_holds(said(value))}"
+                    yield place, self._set(key, value)
                     continue
                 old = solution.before[source].get(key, ANY)
                 if place.condition is not None and key in place.used and value != old and source not in seen:
@@ -79,12 +81,44 @@ class Explanation:
                     seen.add(source)
                     waiting.append(source)
 
+    def _set(self, key: Hashable, value: Value) -> str:
+        return (
+            key.told(value) if isinstance(key, Telling) else f"`{self._written(key)}` is set here{_holds(said(value))}"
+        )
+
     def _calls(self, routine: Routine, solution: Solution, key: Hashable) -> Iterator[Related]:
         """The calls that give a routine its arguments."""
         entry = self._program.entry(routine.name)
         if key not in entry or key in routine.graph.locals:
             return
         yield from self._callers(routine, "called here")
+        yield from self._around_calls(routine, key)
+
+    def _around_calls(self, routine: Routine, key: Hashable, passed: frozenset[str] = frozenset()) -> Iterator[Related]:
+        """Where what a call hands on is set: before the calls, or those around them; if something calls that has no lines, anywhere."""
+        for other, solved in self._program.solved.items():
+            caller = self._program.routines[other]
+            if routine.name not in solved.called or other in passed:
+                continue
+            if caller.rows[0] < 0:
+                yield from self._elsewhere(routine, key)
+                continue
+            calls = [at for at in sorted(solved.solution.before) if caller.graph.nodes[at].callee == routine.name]
+            found = [each for at in calls for each in self._sources(caller, solved.solution, at, key)]
+            yield from (Related(self._around(caller, place), why) for place, why in found)
+            if not found:
+                yield from self._around_calls(caller, key, passed | {routine.name})
+
+    def _elsewhere(self, routine: Routine, key: Hashable) -> Iterator[Related]:
+        known = self._program.entry(routine.name).get(key, ANY)
+        for other, solved in self._program.solved.items():
+            caller, solution = self._program.routines[other], solved.solution
+            for number in sorted(solution.before) if other != routine.name else ():
+                targets = [to for to in solution.targets(number) if to in solution.before]
+                if key in caller.graph.nodes[number].sets and targets:
+                    value = solution.before[targets[0]].get(key, ANY)
+                    if joined(value, known) == known:
+                        yield Related(self._around(caller, caller.graph.nodes[number]), self._set(key, value))
 
     def _callers(self, routine: Routine, why: str) -> Iterator[Related]:
         """The calls of a routine: those that are reached, or all if none is."""

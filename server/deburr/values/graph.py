@@ -20,6 +20,16 @@ Flows = Sequence[tuple[int, Env]]
 """The nodes that come next, each with the values that come there."""
 
 
+class Telling:
+    """A key that says itself what became of it where a chain of reasons comes by."""
+
+    __slots__ = ()
+
+    def told(self, value: Value) -> str:
+        """What became of it, with the value that it has then."""
+        raise NotImplementedError
+
+
 class Proof(Exception):
     """What is certain to go wrong at a place: a rule's short name, the columns, and why in the user's words.
 

@@ -130,6 +130,8 @@ class Program:
 
     def _enter(self, name: str, env: Env) -> None:
         old = self._entries.get(name)
+        if env == old:
+            return
         if old is not None:
             env = self._merge(name, False, old, env)
         if env != old:
@@ -216,7 +218,7 @@ class _Ledger:
             env.update((key, value) for key, value in arguments.items() if mentions is None or key in mentions)
             env = {} if self._program.is_general else env
             known = self.called.get(label)
-            self.called[label] = env if known is None else join(known, env)
+            self.called[label] = env if known is None or known == env else join(known, env)
             self._program.ahead(label, env)
             found = self._program.summary(label)
         if found != self.told.setdefault(label, found):

@@ -8,7 +8,9 @@ from deburr.values.domain import LARGEST, UNITS, Value
 
 
 def said(value: Value) -> str:
-    """A value: `5`, `0 … 90 step 10`, `at least 3`; empty if there is nothing to say."""
+    """A value: `5`, `0 … 90 step 10`, `at least 3`, `"G00" or "G01"`; empty if there is nothing to say."""
+    if value.texts:
+        return " or ".join(f'"{text}"' for text in sorted(value.texts))
     if value.empty:
         return "not set" if value.unset else ""
     text = _range(value)
@@ -23,9 +25,10 @@ def _range(value: Value) -> str:
     low, high = value.low > -LARGEST / 2, value.high < LARGEST / 2
     if value.low == value.high:
         return _number(value.low)
-    step = f" step {_number(value.step / UNITS)}" if value.step and value.step != UNITS else ""
+    integers = value.step == UNITS and value.whole
+    step = f" step {_number(value.step / UNITS)}" if value.step and not integers else ""
     if low and high:
-        return f"{_number(value.low)} … {_number(value.high)}{step}" + (", integers" if value.step == UNITS else "")
+        return f"{_number(value.low)} … {_number(value.high)}{step}" + (", integers" if integers else "")
     if low:
         return f"{_strict(value.low, math.inf, 'above', 'at least')}{step}"
     return _strict(value.high, -math.inf, "below", "at most") if high else ""

@@ -8,19 +8,19 @@ from typing import TYPE_CHECKING
 from deburr.arithmetic.cgt import equal
 from deburr.expand.cgt.commands import Put, place_of
 from deburr.expand.cgt.lines import Place
-from deburr.expand.cgt.parts import Branch, by_line, first_line, last_line, parts_of, starts_with_break
 from deburr.expand.cgt.state import Label, Loop, Op, Unit
 from deburr.fault import Entered, Frame
 from deburr.templates.items import DEEPEST, Body, Item, Section
+from deburr.templates.parts import Branch, by_line, first_line, last_line, parts_of, starts_with_break
 from deburr.templates.template import target
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from deburr.expand.cgt.parts import Part
     from deburr.expand.cgt.pieces import Pieces
     from deburr.expand.cgt.state import State
     from deburr.expand.cgt.words import Cell
+    from deburr.templates.parts import Part
 
 PASSES = 100_000
 """Passes that one `#REPEAT` may make (spec/cgt.md §8)."""

@@ -6,17 +6,17 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from deburr.expand.cgt.commands import Put, command, numbered, place_of
-from deburr.expand.cgt.parts import TRAILING, Branch, parts_of
 from deburr.expand.cgt.values import Test, Values
 from deburr.expand.cgt.words import Cell
 from deburr.templates.items import Body, Item
+from deburr.templates.parts import TRAILING, Branch, parts_of
 
 if TYPE_CHECKING:
     from deburr.expand.cgt.events import JobData
     from deburr.expand.cgt.lines import Place
-    from deburr.expand.cgt.parts import Part
     from deburr.expand.cgt.state import State
     from deburr.fault import Halt
+    from deburr.templates.parts import Part
     from deburr.templates.template import Template
 
 _FLOW = frozenset(("call", "exit"))

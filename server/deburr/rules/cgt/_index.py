@@ -5,6 +5,7 @@ from typing import Any
 # fmt: off
 ROWS: tuple[tuple[Any, ...], ...] = (
     ('bracket_exc_first', 2, True, False, False, 'Whole', {}, False),
+    ('bracket_idle', 2, True, False, False, 'Proven', {}, False),
     ('bracket_no_word', 2, True, False, False, 'Whole', {}, False),
     ('bracket_unclosed', 3, True, False, False, 'Structure', {'faults': ('UNCLOSED', 'ACROSS')}, False),
     ('bracket_unopened', 3, True, False, False, 'Structure', {'faults': ('UNOPENED',)}, False),
@@ -13,6 +14,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('cl_syntax', 3, True, False, False, 'Whole', {}, False),
     ('cl_unknown', 2, True, False, False, 'Whole', {}, False),
     ('command_syntax', 3, True, False, False, 'Syntax', {'kinds': (), 'only': None}, False),
+    ('condition_constant', 2, True, False, False, 'Proven', {}, False),
     ('declare_duplicate', 3, True, False, False, 'Whole', {}, False),
     ('declare_output', 2, True, False, False, 'Whole', {}, False),
     ('declare_outside', 3, True, False, False, 'Whole', {}, False),
@@ -39,6 +41,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('input_missing', 3, True, True, True, 'Ran', {}, False),
     ('jos_direct', 3, True, False, False, 'Text', {'pattern': '(?i)jos(?:_str)?\\(', 'signs': ''}, False),
     ('limit', 3, True, False, False, 'Whole', {}, False),
+    ('loop_idle', 2, True, False, False, 'Proven', {}, False),
     ('machine_file', 3, True, False, False, 'Whole', {}, False),
     ('math', 3, True, False, False, 'Nodes', {'kinds': ('function', 'power', 'product', 'quotient', 'sum'), 'by_shape': False}, False),
     ('motion_section', 2, True, False, False, 'Whole', {}, False),

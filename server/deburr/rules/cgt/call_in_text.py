@@ -24,7 +24,7 @@ Bad:
     G0 <
     #CALL(TOOLCHG)
     ^^^^^^^^^^^^^^
-    #XPOS
+    #SPEED
     >
 
 Good:

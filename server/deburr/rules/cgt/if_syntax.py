@@ -41,7 +41,7 @@ Good:
     #IF((#V1+1)*2<>-3,#AND #V2<=3)<M08>
     #IFSTR(#S1=G00 X5)<M08>
     #IFSTR(#S1<>#S2,#OR#S1=)<M08>
-    #IFCHG(#XPOS)<M08>
+    #IFCHG(#SPEED)<M08>
 """
 
 import re

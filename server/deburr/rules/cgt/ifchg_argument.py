@@ -16,7 +16,7 @@ Bad:
 
 Good:
 
-    #IFCHG(#XPOS, #YPOS)<M08>
+    #IFCHG(#SPEED, #SPNDL)<M08>
 """
 
 from collections.abc import Iterator

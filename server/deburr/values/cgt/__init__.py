@@ -1,0 +1,36 @@
+"""CGT's part in proving values: the sections of a template, and the generator that runs them in any order (spec/cgt.md §1, §6). Says nothing of what is found."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from deburr.analysis import Analysis
+    from deburr.values.program import Routine
+    from deburr_grammar.document import Document
+
+
+def worth(document: Document) -> bool:
+    """Whether any line has a word, a table or a loop."""
+    from deburr.values.cgt.lines import concerns
+
+    return concerns(document)
+
+
+def routines(analysis: Analysis) -> Mapping[str, Routine] | None:
+    """The generator and all sections; None where the template cannot be read."""
+    from deburr.values.cgt.split import routines_of
+
+    return routines_of(analysis)
+
+
+def written(key: object) -> str:
+    """A word as one writes it."""
+    return f"#{key}"
+
+
+def read(said: str) -> object:
+    """The word that is written so."""
+    return said.removeprefix("#")

@@ -1,0 +1,418 @@
+"""The flow of a template's section as a graph: brackets, branches, loops, calls and exits (spec/cgt.md §5.2 to §5.6, §11). Solves nothing."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from deburr.arithmetic.cgt import equal
+from deburr.finding import Severity
+from deburr.templates.items import Body, Item
+from deburr.templates.parts import Branch, by_line, first_line, last_line, parts_of
+from deburr.templates.template import target
+from deburr.templates.types import is_plain
+from deburr.values.cgt.brackets import Changed, tested
+from deburr.values.cgt.conditions import Test, Ways, tests
+from deburr.values.cgt.expressions import Expressions
+from deburr.values.cgt.lines import Unread
+from deburr.values.cgt.outcomes import before_computing, computed, merged, outcome, row_checked, shown, tracked
+from deburr.values.cgt.words import ALL, CALL_LEFT, END, ENDED, LEFT, RETURNED, Shown, State, without
+from deburr.values.domain import ANY, UNITS, Value, above, below, exactly
+from deburr.values.graph import RETURN, Calls, Dead, Env, Flows, Graph, Head, Key, Node, Proof
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from deburr.templates.parts import Part
+    from deburr.templates.symbols import Word
+    from deburr.values.cgt.words import Vocabulary
+
+_PASSES = 100_000
+"""Passes that one `#REPEAT` may make (spec/cgt.md §8)."""
+CONSTANT = "condition-constant"
+_LOST = frozenset(("head", "else", "repeat"))
+
+
+class Label:
+    """A node that is known when what stands before it is built."""
+
+    def __init__(self) -> None:
+        self.at = RETURN
+
+
+class _Way(NamedTuple):
+    """A way that a node ought to take now and then, and what is said if it never does."""
+
+    to: Label | int
+    kind: str = ""
+    message: str = ""
+    severity: Severity | None = None
+
+
+class Section(NamedTuple):
+    """A section's flow, and the rows of its nodes' lines, counted from its header."""
+
+    graph: Graph
+    rows: tuple[int, ...]
+
+
+class Builder:
+    """Builds one section's graph."""
+
+    def __init__(self, words: Vocabulary, texts: Mapping[int, str], quiet: bool) -> None:
+        self._words = words
+        self._texts = texts
+        self._quiet = quiet
+        self._nodes: list[Node] = []
+        self._ways: dict[int, tuple[_Way, ...]] = {}
+        self._loops: list[tuple[int, int]] = []
+        self._callees: set[str] = set()
+        self._settings: list[tuple[str, bool]] = []
+        """The words that are set, each with whether that is a constant that stands there."""
+        self._waiting: list[list[Label]] = []
+        """Where `#EXITC` comes back to, by the bodies around: the next line of the innermost that has one."""
+
+    def section(self, body: Body, header: Span) -> Section:
+        """The flow of a section's body. ``header``: the columns of its header."""
+        self._pass(0, span=header)
+        self._body(body)
+        self._leave(0, ENDED)
+        rows = tuple(sorted({node.line for node in self._nodes}))
+        index = {row: at for at, row in enumerate(rows)}
+        nodes = {at: self._done(at, node, index) for at, node in enumerate(self._nodes)}
+        used = frozenset(key for node in self._nodes for key in node.used if key is not None)
+        sets = frozenset(key for node in self._nodes for key in node.sets)
+        shared = frozenset(key for key in used if not _is_local(key))
+        written = frozenset(key for key in sets | {END} if not _is_local(key))
+        times = Counter(self._settings)
+        constants = frozenset(
+            key for key, literal in self._settings if literal and times[key, True] == 1 and not times[key, False]
+        )
+        heads = {first: self._head(first, last) for first, last in self._loops}
+        graph = Graph(nodes, heads, (), frozenset(), used | sets, shared, written, frozenset(self._callees), constants)
+        return Section(graph, rows)
+
+    def _done(self, at: int, node: Node, index: Mapping[int, int]) -> Node:
+        ways = [(way, way.to if isinstance(way.to, int) else way.to.at) for way in self._ways.get(at, ())]
+        targets = {to for _, to in ways}
+        condition = node.condition
+        if condition is None or len(targets) < len(ways):
+            return node._replace(line=index[node.line])
+        dead = tuple(Dead(to, way.kind, condition, way.message, way.severity) for way, to in ways if way.kind)
+        return node._replace(line=index[node.line], dead=dead)
+
+    def _head(self, first: int, last: int) -> Head:
+        inside = self._nodes[first : last + 1]
+        sets = frozenset(key for node in inside for key in node.sets)
+        calls, formats = any(node.calls for node in inside), ALL in sets
+        return Head(last, lambda key: calls or key in sets or (formats and isinstance(key, Shown)))
+
+    @property
+    def _next(self) -> int:
+        return len(self._nodes)
+
+    def _add(
+        self,
+        row: int,
+        flow: Callable[[Env, Calls], Flows],
+        span: Span | None = None,
+        used: Sequence[Key] = (),
+        sets: Sequence[Key] = (),
+        *,
+        callee: str | None = None,
+        calls: bool = False,
+    ) -> None:
+        self._nodes.append(Node(row, flow, frozenset(used), frozenset(sets), span, callee=callee, calls=calls))
+
+    def _pass(self, row: int, label: Label | None = None, span: Span | None = None) -> None:
+        """A node that does nothing but go on."""
+        behind = self._next + 1
+        self._add(row, lambda env, calls: ((behind if label is None else label.at, env),), span)
+
+    def _leave(self, row: int, how: float, span: Span | None = None) -> None:
+        ended = exactly(how)
+        self._add(row, lambda env, calls: ((RETURN, {**env, END: ended}),), span)
+
+    def _body(self, body: Body) -> None:
+        self._waiting.append([])
+        line = body.opener.line if body.opener is not None else None
+        for parts in by_line(parts_of(body)):
+            if line is not None and first_line(parts[0]) > line:
+                self._resolve(self._waiting[-1])
+            self._parts(parts)
+            line = last_line(parts[-1])
+        if line is not None and (body.opener is None or (body.closer is not None and body.closer.line > line)):
+            self._resolve(self._waiting[-1])
+        left = self._waiting.pop()
+        if self._waiting:
+            self._waiting[-1] += left
+        else:
+            self._resolve(left)
+
+    def _resolve(self, labels: list[Label]) -> None:
+        for label in labels:
+            label.at = self._next
+        labels.clear()
+
+    def _parts(self, parts: Sequence[Part]) -> None:
+        output: list[Item] = []
+        for part in parts:
+            if isinstance(part, Item) and part.kind == "word":
+                word = self._words.find(part.name) if part.name else None
+                if word is not None and self._words.computes(word):
+                    self._output(output)
+                    self._compute(part, [word])
+                output.append(part)
+                continue
+            if isinstance(part, Item) and part.node is None and part.kind not in (*_LOST, "exit"):
+                continue
+            self._output(output)
+            if isinstance(part, Branch):
+                self._branch(part)
+            elif isinstance(part, Body):
+                self._repeat(part)
+            else:
+                self._item(part)
+        self._output(output)
+
+    def _output(self, items: list[Item]) -> None:
+        """Words one after the other on a line."""
+        if not items:
+            return
+        words = [(item, word) for item in items if (word := self._words.find(item.name)) is not None]
+        keys = tuple(key for _, word in words if (key := tracked(word, self._words)) is not None)
+        checks = [
+            (word.name, row_checked(count, word.name, item.span))
+            for item, word in words
+            if word.type == "table" and (count := self._words.codes(word)) is not None
+        ]
+        behind = self._next + 1
+
+        def put(env: Env, calls: Calls) -> Flows:
+            for name, check in checks:
+                check(env.get(name, ANY))
+            return ((behind, shown(env, keys, self._quiet)),)
+
+        used = [name for name, _ in checks]
+        self._add(items[0].line, put, Span(items[0].start, items[-1].end), used, keys)
+        items.clear()
+
+    def _item(self, item: Item) -> None:
+        if item.kind in _LOST:
+            raise Unread
+        if item.kind == "call":
+            self._call(item)
+        elif item.kind == "exit":
+            self._leave(item.line, LEFT if item.name == "EXIT" else CALL_LEFT, item.span)
+        elif item.node is not None:
+            expressions = self._expressions(item)
+            if item.kind not in ("declaration", "fmt") and item.name != "RESET":
+                self._compute(item, expressions.computed(item.node))
+            found = outcome(item, expressions, self._words)
+            if item.kind == "eval" and (key := expressions.key(item.node.children[2])) is not None:
+                self._settings.append((key, is_plain(item.node.children[-2])))
+            if found is not None:
+                behind, change = self._next + 1, found.change
+                self._add(
+                    item.line,
+                    lambda env, calls: ((behind, change(env)),),
+                    item.span,
+                    tuple(expressions.used),
+                    found.sets,
+                )
+
+    def _expressions(self, item: Item) -> Expressions:
+        return Expressions(self._texts[item.line], self._words)
+
+    def _compute(self, item: Item, words: Sequence[Word]) -> None:
+        """Words whose sections are run before an item."""
+        for word in words:
+            self._computing(item, word)
+
+    def _computing(self, item: Item, word: Word) -> None:
+        name, behind = self._words.computes(word), self._next + 1
+        keys: tuple[Key, ...] = (word.name,)
+        if name not in self._words.sections:
+            self._add(item.line, lambda env, calls: ((behind, without(env, *keys)),), item.span, (), keys)
+            return
+        self._callees.add(name)
+
+        def run(env: Env, calls: Calls) -> Flows:
+            before = before_computing(word, env)
+            found = calls.call(name, {}, before)
+            after = computed(word, before, found) if found is not None else None
+            if after is None:
+                return ()
+            return ((behind, {**after, RETURNED: env[RETURNED]} if RETURNED in env else after),)
+
+        self._add(item.line, run, item.span, (), keys, callee=name, calls=True)
+
+    def _call(self, item: Item) -> None:
+        name, _ = target(item)
+        behind, label = self._next + 1, Label()
+        if name not in self._words.sections:
+            # There is no such section, or only a table: another rule says so.
+            self._pass(item.line)
+            return
+        self._callees.add(name)
+        jumps = item.name == "GOTO"
+        if not jumps:
+            self._waiting[-1].append(label)
+
+        def called(env: Env, calls: Calls) -> Flows:
+            found = calls.call(name, {}, without(env, END))
+            after = merged(env, found) if found is not None else None
+            if after is None:
+                return ()
+            if jumps:
+                return ((RETURN, after),)
+            how, after = after.get(END, ANY), without(after, END)
+            left = {**after, END: exactly(LEFT)}
+            ways = ((ENDED, behind, after), (CALL_LEFT, label.at, after), (LEFT, RETURN, left))
+            return tuple((to, values) for end, to, values in ways if how.has(end))
+
+        self._add(item.line, called, item.span, callee=name, calls=True)
+
+    def _branch(self, branch: Branch) -> None:
+        """A bracket or an `#IF`."""
+        body = branch.body
+        head = body.head or body.opener
+        assert head is not None
+        test, used, words = self._test(body)
+        self._compute(head, words)
+        other, end = Label(), Label()
+        if used:
+            self._ways[self._next] = tuple(_said(body, self._next + 1, other))
+        self._decide(head, body, test, used, other)
+        inside = self._next
+        self._body(body)
+        if branch.other is not None:
+            self._pass(head.line, end)
+        elif self._next == inside:
+            # So that it can be told whether the body is output.
+            self._pass(head.line)
+        other.at = self._next
+        if branch.other is not None:
+            self._body(branch.other)
+        end.at = self._next
+
+    def _test(self, body: Body) -> tuple[Test, tuple[Key, ...], Sequence[Word]]:
+        """What a branch asks, of which keys, and the words that must be computed before."""
+        if body.head is None:
+            changed = tested(body, self._words)
+            return changed.ways, changed.keys, changed.computed
+        node = body.head.node
+        if node is None:
+            raise Unread
+        expressions = self._expressions(body.head)
+        asked = node.node("tests") or node.node("string_tests")
+        if asked is not None:
+            test = tests(expressions, asked)
+            return test, tuple(expressions.used), expressions.computed(node)
+        words = [expressions.word(part) for part in node.children if part.kind == "WORD"]
+        any_changed = Changed(tuple((False, tracked(word, self._words)) for word in words), ())
+        return any_changed.ways, any_changed.keys, expressions.computed(node)
+
+    def _decide(self, head: Item, body: Body, test: Test, used: Sequence[Key], other: Label) -> None:
+        inside = self._next + 1
+
+        def decided(env: Env, calls: Calls) -> Flows:
+            ways: Ways = test(env)
+            found = ((inside, ways.then), (other.at, ways.otherwise))
+            return tuple((to, values) for to, values in found if values is not None)
+
+        sets = tuple(key for key in used if isinstance(key, Shown))
+        self._add(head.line, decided, _extent(head, body), used, sets)
+
+    def _repeat(self, body: Body) -> None:
+        head = body.head
+        if body.kind != "repeat" or head is None or head.node is None:
+            raise Unread
+        expressions = self._expressions(head)
+        self._compute(head, expressions.computed(head.node))
+        part = head.node.children[2]
+        get, key, said = expressions.number(part), expressions.key(part), expressions.said(part)
+        first, end, count = self._next + 1, Label(), State(self._next)
+        span = expressions.span(part)
+
+        def entered(env: Env, calls: Calls) -> Flows:
+            value = _count(get(env), said, span)
+            if key is not None:
+                env = {**env, key: value}
+            ways = ((first, {**env, count: value}),) if value.high >= 1 else ()
+            return (*ways, (end.at, env)) if value.low < 1 else ways
+
+        if part.kind != "NUMBER":
+            message = f"`{said}` can only be 0 here, so that the loop makes no pass"
+            self._ways[self._next] = (_Way(first, "loop-idle", message),)
+        self._add(head.line, entered, span, tuple(expressions.used))
+        self._pass(head.line)
+        self._body(body)
+        self._loops.append((first, self._next))
+        behind = self._next + 1
+
+        def again(env: Env, calls: Calls) -> Flows:
+            once = env.get(count, ANY).high < 2
+            after = without(env, count)
+            return ((behind, after),) if once else ((first, env), (behind, after))
+
+        self._add(head.line, again)
+        end.at = self._next
+
+
+def _is_local(key: Key) -> bool:
+    """Whether a key is a section's own: the count of a loop."""
+    return isinstance(key, State) and isinstance(key.of, int)
+
+
+def _extent(head: Item, body: Body) -> Span:
+    """The columns of what decides: the test of an `#IF`, or a bracket as far as it stands on its line."""
+    if body.head is None:
+        same = body.closer is not None and body.closer.line == head.line
+        return Span(head.start, body.closer.end if same and body.closer is not None else head.end)
+    node = body.head.node
+    asked = (node.node("tests") or node.node("string_tests")) if node is not None else None
+    return Span(asked.start, asked.end) if asked is not None else head.span
+
+
+def _said(body: Body, inside: int, other: Label) -> Iterator[_Way]:
+    """What is said of ways that are never taken. A body that only leaves guards against what nobody expects."""
+    if body.head is None:
+        message = "this bracket never prints: on every way here its words have been output since they last changed"
+        yield _Way(inside, "bracket-idle" if any(map(_is_more, body.items())) else "", message)
+        yield _Way(other)
+        return
+    whole = body.head.text
+    said = f"`{whole if body.head.name == 'IFCHG' else whole.partition('(')[2].rpartition(')')[0]}`"
+    guards = bool(body.parts) and all(
+        isinstance(each, Item) and each.kind in ("exit", "comment") for each in body.parts
+    )
+    yield _Way(
+        inside, "" if guards else CONSTANT, f"{said} never holds here, so that what stands under it is never output"
+    )
+    yield _Way(other, CONSTANT, f"{said} always holds here", Severity.INFO)
+
+
+def _is_more(item: Item) -> bool:
+    """Whether a bracket prints or does more with an item than to repeat its words."""
+    if item.kind == "text":
+        return any(sign.isdigit() for sign in item.text)
+    return item.kind in ("eval", "macro", "mark", "lookup", "call", "exit")
+
+
+def _count(value: Value, said: str, span: Span) -> Value:
+    """The numbers of passes that a count can be. It raises a `Proof` where none of its numbers is one."""
+    if value.empty or value.wild:
+        return Value(0.0, float(_PASSES), UNITS)
+    if value.low == value.high:
+        passes = round(value.low)
+        if passes < 0 or not equal(value.low, passes):
+            message = f"`{said}` is {value.low:g} here; a whole number from 0 on is needed"
+            raise Proof("repeat-count", span, message)
+    elif value.high < 0:
+        raise Proof("repeat-count", span, f"`{said}` is always below 0 here; a whole number from 0 on is needed")
+    elif value.step and value.step % UNITS == 0 and not value.whole and value.high < _PASSES:
+        raise Proof("repeat-count", span, f"`{said}` is never a whole number here; one from 0 on is needed")
+    if value.low > _PASSES + 1:
+        raise Proof("limit", span, f"`{said}` asks for {value.low:,.0f} passes or more; {_PASSES:,} are the limit")
+    return above(below(value, _PASSES + 1.0, False), 0.0, False)

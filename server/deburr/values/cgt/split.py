@@ -1,0 +1,139 @@
+"""A template parted into routines: the generator and the sections, each with a graph that is kept by what it says (spec/cgt.md §1, §5.1). Solves nothing."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Hashable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, TypeVar
+
+from deburr.templates.beside import beside, events_in, is_events, machine_in
+from deburr.templates.items import Body, rows_of
+from deburr.templates.items import Builder as Bodies
+from deburr.templates.template import items_of
+from deburr.values.cgt.flow import Builder, Section
+from deburr.values.cgt.generator import NAME, Path, generator, path_of
+from deburr.values.cgt.lines import Part, Unread, sections
+from deburr.values.cgt.words import Vocabulary
+from deburr.values.program import Routine
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from deburr.analysis import Analysis
+    from deburr.formats.machine import Machine
+    from deburr.values.graph import Env
+
+K = TypeVar("K")
+T = TypeVar("T")
+_KEPT = 1_000
+_VOCABULARIES = 8
+_kept: OrderedDict[Vocabulary, OrderedDict[Hashable, Section]] = OrderedDict()
+"""The graphs of sections, by what words mean."""
+
+
+def routines_of(analysis: Analysis) -> Mapping[str, Routine] | None:
+    """The routines by their names; None where the template cannot be read."""
+    document = analysis.document
+    if document.faults:
+        return None
+    try:
+        parts = _first(sections(document))
+        run = {name: part for name, part in parts.items() if part.reading != "table"}
+        machine = machine_in(beside(analysis.settings, analysis.host, "machine"))
+        words = _vocabulary(parts, run, machine, analysis.inputs.define)
+        graphs = _keep(_kept, words, OrderedDict(), _VOCABULARIES)
+        built = {name: _section(part, words, graphs) for name, part in run.items()}
+    except Unread:
+        return None
+    found = {
+        name: Routine(name, [part.row + row for row in built[name].rows], built[name].graph, None)
+        for name, part in run.items()
+    }
+    path = _path(analysis)
+    entry = _start(words, _targets(run.values(), words) - path.sets)
+    graph = generator(tuple(run), frozenset(entry), path)
+    return {NAME: Routine(NAME, (-1,), graph, entry), **found}
+
+
+def _first(parts: Sequence[Part]) -> dict[str, Part]:
+    """Of several sections of one name the first is run."""
+    found: dict[str, Part] = {}
+    for part in parts:
+        found.setdefault(part.name, part)
+    return found
+
+
+def _vocabulary(
+    parts: Mapping[str, Part], run: Mapping[str, Part], machine: Machine, given: Mapping[str, str]
+) -> Vocabulary:
+    declared: dict[str, str] = {}
+    for name, command in (each for part in run.values() for line in part.lines for each in line.names.declares):
+        declared.setdefault(name, command)
+    tables = {name: len(rows) for name, rows in machine.tables.items()}
+    tables |= {
+        name: sum(1 for line in part.lines for _ in rows_of(line.row, line.node))
+        for name, part in parts.items()
+        if part.reading == "table"
+    }
+    return Vocabulary(
+        tuple(sorted(declared.items())),
+        tuple(sorted(machine.words.items())),
+        tuple(sorted((name.strip().removeprefix("#"), said) for name, said in given.items())),
+        tuple(sorted(tables.items())),
+        frozenset(run),
+        _quiet(run),
+    )
+
+
+def _quiet(run: Mapping[str, Part]) -> frozenset[str]:
+    """Sections that may be run where no line is output: `@DECLARE`, those that compute words, and all that they call."""
+    waiting = [name for name in run if name == "DECLARE" or name.startswith("$")]
+    found = set(waiting)
+    while waiting:
+        part = run.get(waiting.pop())
+        called = {name for line in part.lines for name in line.names.calls} if part is not None else set()
+        waiting += called - found
+        found |= called
+    return frozenset(found)
+
+
+def _targets(parts: Iterable[Part], words: Vocabulary) -> frozenset[str]:
+    """The words of the template that it sets itself. Others are given from outside, so that nothing is known of them."""
+    said = {name for part in parts for line in part.lines for name in line.names.sets}
+    found = (words.find(name) for name in said)
+    return frozenset(
+        word.name for word in found if word is not None and words.is_mine(word.name) and not words.computes(word)
+    )
+
+
+def _start(words: Vocabulary, mine: frozenset[str]) -> Env:
+    return {name: words.start(name) for name in sorted(mine)}
+
+
+def _path(analysis: Analysis) -> Path:
+    """What the configured toolpath does that CL text cannot do."""
+    file = beside(analysis.settings, analysis.host, "input")
+    return path_of(events_in(file).events) if file.text is not None and is_events(file) else Path()
+
+
+def _section(part: Part, words: Vocabulary, kept: OrderedDict[Hashable, Section]) -> Section:
+    """A section's flow, kept by its lines."""
+    lines = tuple((line.row - part.row, line.node.text) for line in part.lines)
+    quiet = part.name in words.quiet
+    key = (part.name, quiet, lines)
+    found = kept.get(key)
+    if found is None:
+        body = Body("section")
+        bodies = Bodies(body)
+        for line in part.lines:
+            bodies.add(items_of(line.row - part.row, line.node, words.symbols))
+        found = Builder(words, dict(lines), quiet).section(body, Span(0, 1 + len(part.name)))
+    return _keep(kept, key, found, _KEPT)
+
+
+def _keep(kept: OrderedDict[K, T], key: K, value: T, most: int) -> T:
+    """What is kept under a key; if there is nothing yet, the value."""
+    found = kept.setdefault(key, value)
+    kept.move_to_end(key)
+    while len(kept) > most:
+        kept.popitem(last=False)
+    return found

@@ -1,0 +1,280 @@
+"""CGT: what is proven of words at each command, that it holds in runs, and what an edit costs (spec/cgt.md §5)."""
+
+import json
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from random import Random
+from typing import Any
+
+import pytest
+
+from deburr.analysis import Analysis
+from deburr.expand import Budget, Inputs, Job, Program, drive
+from deburr.expand.cgt import code, pieces
+from deburr.expand.cgt.state import State
+from deburr.expand.cgt.words import Cell
+from deburr.fault import Halt
+from deburr.finding import Finding, Severity
+from deburr.ruleset import RuleSet
+from deburr.templates.items import Item
+from deburr.values import proving, values_of
+from deburr.values.cgt.words import Shown
+from deburr.values.domain import Value
+from deburr.values.program import Program as Values
+from deburr.values.words import said
+from deburr_grammar.document import Document
+from support.cgt import DIALECT
+from support.pages import MemoryHost
+from support.templates import events, template
+from support.values import analysed
+
+MAIN = "main.cgt"
+RULES, LISTED = RuleSet(DIALECT), RuleSet(DIALECT, {"input": "part.jsonl"})
+
+
+FRAME = "@DECLARE\n#INT #n,#count\n#STR #kind\n#TBL #gear\n#CALCDEC #half\n@\n@$half\n#RETNUM(#V9/2)\n@\n@gear\n0,M41\n1,M42\n@\n@LINE\n"
+MEANT: dict[str, tuple[str, str, str]] = {
+    "a constant": ("#EVAL(#V1=2*5)\n#here", "V1", "10"),
+    "what the toolpath sets": ("#EVAL(#V1=#XPOS)\n#here", "V1", ""),
+    "what a section sets of that": ("#EVAL(#FEED=5)\n#EVAL(#V1=#FEED*2)\n#here", "V1", "10"),
+    "a word that nothing sets, which is given from outside": ("#here", "V1", ""),
+    "a word that is set behind the place at first, and then before it": ("#here\n#EVAL(#V1=3)", "V1", "0 … 3 step 3"),
+    "a counter": ("#EVAL(#V1=#V1+1)\n#here", "V1", "at least 1"),
+    "a counter that stops somewhere": ("#IF(#V1<10)<#EVAL(#V1=#V1+1)>\n#here", "V1", "at least 1"),
+    "a branch": ("#IF(#XPOS>0)<#EVAL(#V1=1)>#ELSE<#EVAL(#V1=4)>\n#here", "V1", "1 … 4 step 3"),
+    "a condition": ("#EVAL(#V1=#XPOS)\n#IF(#V1>2)<#here>", "V1", "above 2"),
+    "a condition that does not hold": ("#EVAL(#V1=#XPOS)\n#IF(#V1>2)<M08>#ELSE<#here>", "V1", "at most 2"),
+    "two conditions at once": ("#EVAL(#V1=INT(#XPOS))\n#IF(#V1>2,#AND#V1<=9)<#here>", "V1", "3 … 9, integers"),
+    "one of two conditions": ("#EVAL(#V1=INT(#XPOS))\n#IF(#V1<=2,#OR#V1>9)<M08>#ELSE<#here>", "V1", "3 … 9, integers"),
+    "that it is not 0": ("#EVAL(#V1=#XPOS)\n#IF(#V1<>0)<#here>", "V1", "never 0"),
+    "what counts as equal": ("#EVAL(#V1=#XPOS)\n#IF(#V1=0)<#here>", "V1", "0"),
+    "a remainder with the sign of the dividend": ("#EVAL(#V1=MOD(#XPOS,6))\n#here", "V1", "-5 … 5, integers"),
+    "a root": ("#EVAL(#V1=SQR(#XPOS))\n#here", "V1", "at least 0"),
+    "the greater of two": ("#EVAL(#V1=MAX(3,#XPOS))\n#here", "V1", "at least 3"),
+    "a rounded value": ("#EVAL(#V1=RND(SIN(#XPOS),0))\n#here", "V1", "-1 … 1, integers"),
+    "a sign": ("#EVAL(#V1=SGN(#XPOS)+5)\n#here", "V1", "4 … 6, integers"),
+    "a loop": ("#EVAL(#V1=0)\n#REPEAT(3)<\n#EVAL(#V1=#V1+2)\n>\n#here", "V1", "at least 2"),
+    "a loop that may have no pass": ("#EVAL(#V1=7)\n#REPEAT(#V2)<\n#EVAL(#V1=9)\n>\n#here", "V1", "7 … 9 step 2"),
+    "a count of passes": ("#EVAL(#V2=#XPOS)\n#REPEAT(#V2)<\n#here\n>", "V2", "0 … 100001"),
+    "a called section": ("#EVAL(#V1=1)\n#CALL(a)\n#here\n@\n@a\n#EVAL(#V1=#V1+1)", "V1", "at least 1"),
+    "a word that a called section leaves alone": ("#EVAL(#V1=1)\n#CALL(a)\n#here\n@\n@a\n#EVAL(#V2=5)", "V1", "1"),
+    "behind a section that may leave its caller": (
+        "#EVAL(#V1=1)\n#CALL(a)#EVAL(#V1=2)\n#here\n@\n@a\n#IF(#XPOS>0)<#EXITC>", "V1", "1 … 2, integers",
+    ),
+    "behind a section that ends everything": (
+        "#EVAL(#V1=1)\n#IF(#XPOS>0)<\n#EVAL(#V1=2)\n#CALL(a)\n>\n#here\n@\n@a\n#EXIT", "V1", "1",
+    ),
+    "a computed word": ("#EVAL(#V9=8)\n#EVAL(#V1=#half+1)\n#here", "V1", "5"),
+    "texts": ("#IF(#XPOS>0)<#EVAL(#S1=M03)>#ELSE<#EVAL(#S1=M04)>\n#here", "S1", '"M03" or "M04"'),
+    "a text that is asked for": (
+        "#IF(#XPOS>0)<#EVAL(#S1=M03)>#ELSE<#EVAL(#S1=M04)>\n#IFSTR(#S1=M03)<M08>#ELSE<#here>", "S1", '"M04"',
+    ),
+    "a part of a text": ("#EVAL(#S1=ABCDE)\n#EVAL(#S2=STRSUB(#S1,2,3))\n#here", "S2", '"BCD"'),
+    "the length of a text": ("#EVAL(#S1=ABCDE)\n#EVAL(#V1=STRLEN(#S1))\n#here", "V1", "5"),
+    "switches": ("#EVAL(#V1=#ON)\n#here", "V1", "1"),
+}  # fmt: skip
+"""Lines of `@LINE`, a word, and what it holds where `#here` stands."""
+
+
+@pytest.mark.parametrize("name", MEANT)
+def test_what_a_word_holds(name: str) -> None:
+    lines, key, text = MEANT[name]
+    program = f"{FRAME}{lines}\n@\n".replace("#here", "#EVAL(#count=1)")
+    row = program[: program.index("#EVAL(#count=1)")].count("\n")
+    found = values_of(analysed(program, "cgt", path=MAIN))
+    assert found is not None
+    solution = found.solved["LINE"].solution
+    nodes = [number for number, node in found.routines["LINE"].graph.nodes.items() if "count" in node.sets]
+    value = solution.before[nodes[0]].get(key)
+    assert (said(value) if value is not None else "") == text, (row, value)
+
+
+SILENT = {
+    "a word that nothing sets": "#EVAL(#V1=1/#V2)",
+    "what the toolpath gives": "#EVAL(#V1=1/#FEED)",
+    "a value that an earlier section may have left": "#EVAL(#V1=1/#V2)\n@\n@RAP\n#EVAL(#V2=#XPOS)",
+    "one way of two": "#IF(#XPOS>0)<#EVAL(#V1=0)>#ELSE<#EVAL(#V1=1)>\n#EVAL(#V2=5/#V1)",
+    "a division that is never reached": "#EVAL(#V1=0)\n#IF(#V1>0)<#EVAL(#V2=5/#V1)>",
+    "a switch": "#EVAL(#V1=0)\n#IF(#V1=1)<M08>",
+    "a switch for texts": "#EVAL(#S1=no)\n#IFSTR(#S1=yes)<M08>",
+    "a guard": "#EVAL(#V1=ABS(#XPOS))\n#IF(#V1<0)<#EXIT>",
+    "a caller of two": "#EVAL(#V1=0)\n#IF(#XPOS>0)<#EVAL(#V1=1)>\n#CALL(a)\n@\n@a\n#EVAL(#V2=1/#V1)",
+    "a bracket behind a section that may change its word": "<A#V1 M08>\n#CALL(a)\n<A#V1 M09>\n@\n@a\n#EVAL(#V1=#XPOS)",
+    "a bracket behind a format": "<A#XPOS M08>\n#FMT(#F_Decimal,D3.1)\n<A#XPOS M09>",
+    "a bracket behind a section with a format of its own": "<A#XPOS M08>\n#CALL(a)\n<A#XPOS M09>\n@\n@a\n#FMT(#F_Decimal,D3.1)\nX#XPOS",
+    "a bracket whose word is computed": "<A#half M08>\n<A#half M09>\n#EVAL(#V9=#XPOS)",
+    "a bracket behind one way that prints": "#IF(#XPOS>0)<A#XPOS>\n<A#XPOS M09>",
+    "a bracket of which one word may change": "A#XPOS\n<A#XPOS#OR B#YPOS M08>",
+    "block numbers, which count by themselves": "<A#BLK M08>\n<A#BLK M09>",
+    "a count that is one of several": "#EVAL(#n=INT(#XPOS))\n#REPEAT(#n)<M08>",
+    "a row that may be there": "#TABLE(gear,#V1)\n#EVAL(#V1=#V1+1)",
+    "a table that is not there": "#EVAL(#V1=7)\n#EVAL(#COOLNT=#V1-7)\n#COOLNT",
+}
+
+
+@pytest.mark.parametrize("name", SILENT)
+def test_nothing_is_said_of_what_is_not_proven(name: str) -> None:
+    assert proven(f"{FRAME}{SILENT[name]}\n@\n") == []
+
+
+def proven(program: str, events: str = "", define: Mapping[str, str] | None = None) -> list[Finding]:
+    """What is proven of a template, in warnings and errors."""
+    rules = LISTED if events else RULES
+    host, inputs = MemoryHost({"part.jsonl": events}), Inputs(define or {})
+    analysis = Analysis(Document.parse(program, DIALECT), rules, MAIN, host, inputs=inputs)
+    return [each for each in proving(analysis) if each is not None and each.severity > Severity.INFO]
+
+
+def test_the_chain_is_told() -> None:
+    program = "@START\n#EVAL(#V1=0)\n@\n@LINE\n#CALL(a)\n@\n@a\n#EVAL(#V2=#V1*2)\nX#V2\n#EVAL(#V3=1/#V2)\n@\n"
+    (found,) = proven(program)
+    assert (found.rule, found.place.line, found.place.col, found.place.end_col) == ("cgt.divide-by-zero", 9, 12, 15)
+    assert [(each.place.line, each.message) for each in found.related] == [
+        (7, "`#V2` is set here, it holds 0"),
+        (4, "called here"),
+        (1, "`#V1` is set here, it holds 0"),
+    ]
+
+
+def test_a_fault_at_the_first_run_hides_what_would_come_behind_it() -> None:
+    (found,) = proven(f"{FRAME}#EVAL(#V1=1/#V2)\n#EVAL(#V2=5)\n#IF(#V2>6)<M08>\n@\n")
+    assert (found.rule, found.place.line) == ("cgt.divide-by-zero", 14)
+
+
+EVENTS = '{"section": "LINE", "set": {"V2": 3}}\n'
+
+
+def test_what_a_list_of_events_sets_is_not_known() -> None:
+    program = f"{FRAME}#EVAL(#V1=1/#V2)\n#EVAL(#V2=0)\n@\n"
+    assert [each.rule for each in proven(program)] == ["cgt.divide-by-zero"]
+    assert proven(program, EVENTS) == []
+
+
+def test_what_is_given_for_a_run_is_what_a_word_holds_at_first() -> None:
+    program = f"{FRAME}#EVAL(#V1=1/#V2)\n@\n@END\n#EVAL(#V2=0)\n@\n"
+    assert [each.rule for each in proven(program)] == ["cgt.divide-by-zero"]
+    assert proven(program, define={"V2": "5"}) == []
+
+
+@pytest.mark.parametrize("first", range(0, 1_000, 100))
+def test_runs_see_what_is_proven(first: int) -> None:
+    """Each value that a run sees at a command lies in the range of its place, no command is passed of which a fault is proven, and no way is taken that is never taken."""
+    seen = sum(_watched(seed) for seed in range(first, first + 100))
+    assert seen > 1_000
+
+
+def _watched(seed: int) -> int:
+    rng = Random(seed)
+    document = Document.parse(template(rng), DIALECT)
+    found = values_of(Analysis(document, RULES, MAIN))
+    assert found is not None, f"seed {seed}"
+    watch, seen = _Watch(found), 0
+    with watch.watching():
+        for _ in range(3):
+            lines = "\n".join(map(json.dumps, events(rng)))
+            host = MemoryHost({"part.jsonl": lines})
+            job = Job((Program(MAIN, document),), LISTED, host, watch, Inputs(), Budget(1_000, 0))
+            for _ in drive(job):
+                pass
+            assert watch.wrong == [], f"seed {seed} with {lines}"
+            seen += watch.seen
+    return seen
+
+
+class _Watch:
+    """Looks at the words before each command that is executed."""
+
+    def __init__(self, found: Values) -> None:
+        self._nodes: dict[tuple[int, int], tuple[str, int]] = {}
+        for name, routine in found.routines.items():
+            for number, node in routine.graph.nodes.items():
+                if node.condition is not None:
+                    self._nodes[routine.rows[node.line], node.condition.start] = (name, number)
+        self._found = found
+        self.wrong: list[tuple[object, ...]] = []
+        self.seen = 0
+
+    def line(self, text: str) -> None:
+        """Nobody wants the lines."""
+
+    @contextmanager
+    def watching(self) -> Iterator[None]:
+        """Have each command, test and count looked at."""
+        commanded, tested, counted = pieces.command, pieces.Pieces.test, code.Compiler._count
+
+        def command(state: State, values: Any, item: Item) -> Any:
+            put = commanded(state, values, item)
+            return None if put is None else self._around(state, (item.line, item.start), put)
+
+        def test(made: Any, body: Any) -> Any:
+            at = body.head or body.opener
+            span = at.span
+            if body.head is not None:
+                asked = body.head.node.node("tests") or body.head.node.node("string_tests")
+                span = span if asked is None else asked
+            return self._around(made._state, (at.line, span.start), tested(made, body), decides=True)
+
+        def count(compiler: Any, head: Any) -> Any:
+            start = head.node.children[2].start
+            return self._around(compiler._state, (head.line, start), counted(compiler, head), decides=True)
+
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(pieces, "command", command)
+            patch.setattr(pieces.Pieces, "test", test)
+            patch.setattr(pieces.Pieces, "_lone_word", lambda *_: None)
+            patch.setattr(code.Compiler, "_count", count)
+            yield
+
+    def _around(
+        self, state: State, place: tuple[int, int], run: Callable[..., Any], decides: bool = False
+    ) -> Callable[..., Any]:
+        known = self._nodes.get(place)
+        if known is None:
+            return run
+        name, number = known
+
+        def watched(*arguments: Any) -> Any:
+            solved = self._found.solved.get(name)
+            env = solved.solution.before.get(number) if solved is not None else None
+            if solved is None or env is None:
+                self.wrong.append((place, "is reached"))
+                return run(*arguments)
+            self._look(place, state, env)
+            result = run(*arguments)
+            if number in solved.solution.proofs:
+                self.wrong.append((place, "is passed", solved.solution.proofs[number].message))
+            if (
+                decides
+                and bool(result) != (number + 1 in solved.solution.targets(number))
+                and (result or set(solved.solution.targets(number)) == {number + 1})
+            ):
+                self.wrong.append((place, "goes a way that is never taken", result))
+            return result
+
+        return watched
+
+    def _look(self, place: tuple[int, int], state: State, env: dict[Any, Value]) -> None:
+        for key, value in env.items():
+            if isinstance(key, str):
+                cell = state.words[key]
+                self.seen += 1
+                if not _holds(value, cell.value):
+                    self.wrong.append((place, key, value, cell.value))
+            elif isinstance(key, Shown):
+                self.seen += 1
+                changed = _changed(state, state.words[key.name])
+                if changed is not None and not value.has(float(not changed)):
+                    self.wrong.append((place, key, value, changed))
+
+
+def _holds(value: Value, got: float | str | None) -> bool:
+    return got in value.texts if isinstance(got, str) else got is not None and value.has(got)
+
+
+def _changed(state: State, cell: Cell) -> bool | None:
+    try:
+        return state.changed(cell, None)  # type: ignore[arg-type]  # the place is only for faults
+    except Halt:
+        return None
+    except AttributeError:
+        return None
