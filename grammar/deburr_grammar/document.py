@@ -11,7 +11,7 @@ from deburr_grammar.chunk import SIZE, Branch, Chunk, grown
 from deburr_grammar.dialect import Bracket, Dialect, Reading
 from deburr_grammar.dialect import Step as Done
 from deburr_grammar.editing import Place, replaced
-from deburr_grammar.fold import Fold, carried, through
+from deburr_grammar.fold import Fold, carried, keep, through
 from deburr_grammar.line import LineNode, Shape, shapes_of
 from deburr_grammar.outline import Before, Outlined, Outliner, Stepped, facts_of
 from deburr_grammar.problem import Problem
@@ -252,6 +252,10 @@ class Document:
             for child, before in islice(self._outliner.inner(step.branch, step.top), step.number):
                 state = carried(fold, state, child, before, self._outliner)
         return through(fold, state, piece.chunk, piece.outlined, line - piece.line)
+
+    def keep_state(self, fold: Fold[S], piece: Piece, before: S, behind: S) -> None:
+        """Keep the state behind a piece that somebody found in another way than by `state`, under the one before it."""
+        keep(fold, before, piece.chunk, self.key(piece), behind)
 
     def edit(self, *edits: Edit) -> Document:
         """The document after the edits, each made in what the one before it left."""

@@ -45,6 +45,11 @@ def carried(fold: Fold[S], state: S, node: Branch | Chunk, before: Before, outli
     return known
 
 
+def keep(fold: Fold[S], state: S, chunk: Chunk, key: Hashable, behind: S) -> None:
+    """Know the state behind a chunk under the one before it; ``key`` is that of its outline."""
+    chunk.memo[fold, state, key] = behind
+
+
 def through(fold: Fold[S], state: S, chunk: Chunk, outlined: Outlined, upto: int | None = None) -> S:
     """The state behind the first ``upto`` lines of a chunk (all lines: None)."""
     runs = dict(outlined.runs)

@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
 from typing import Any
 
-from deburr.blocks import Scope, scopes
+from deburr.blocks import Scope, scoping
 from deburr.finding import Finding, Place, Related, Severity
 from deburr.host import Host, NoFiles
 from deburr.inputs import Inputs
-from deburr.rule import Note, Notice, Rule, Structure
+from deburr.rule import Note, Notice, Rule, Structure, Whole
 from deburr.ruleset import RuleSet
 from deburr.stateful import Said
-from deburr.suppress import allowed, is_allowed
+from deburr.steps import done, kept
+from deburr.suppress import UNUSED, allowed, is_allowed
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.document import Document, Piece
 from deburr_grammar.structure import StructureFault
 from deburr_grammar.text import with_newlines
+
+_SCOPES = "scopes"
+_FEW = 16
+"""Shapes that are planned in one step."""
 
 
 class Analysis:
@@ -57,25 +61,30 @@ class Analysis:
         """The dialect's settings."""
         return self.ruleset.settings
 
-    @cached_property
+    @property
     def scopes(self) -> tuple[Scope, ...]:
         """The regions of the program with their blocks."""
-        return scopes(self.document.brackets())
+        return done(self._scoping())
+
+    def scoping(self) -> Iterator[None]:
+        """Find the scopes, in steps: what rules that stand on them are to be ready with."""
+        yield from self._scoping()
+
+    def _scoping(self) -> Generator[None, None, tuple[Scope, ...]]:
+        return kept(self.memo, _SCOPES, lambda: scoping(self.document.brackets()))
 
     def findings(self) -> list[Finding]:
         """All findings, in order."""
-        work = self.gathering()
-        while True:
-            try:
-                next(work)
-            except StopIteration as done:
-                found: list[Finding] = done.value
-                return found
+        return done(self.gathering())
 
-    def gathering(self) -> Generator[None, None, list[Finding]]:
-        """All findings, in order, as work that can be left at each of its steps."""
+    def gathering(self, early: Callable[[list[Finding]], None] | None = None) -> Generator[None, None, list[Finding]]:
+        """All findings, in order, as work that can be left at each of its steps.
+
+        ``early`` is told what the program says as it stands, before its values are proven and it is run.
+        """
         found: list[Finding] = []
         for piece in self.document.pieces():
+            yield from self._planning(piece)
             found += [self._finding(piece.line + local.line, local) for local in self._on_piece(piece)]
             yield
         yield from self._passed()
@@ -84,14 +93,27 @@ class Analysis:
             found += self.fault_findings(fault)
         for rule in self.ruleset.on_whole:
             yield
-            found += [self._finding(report.line, Said(0, rule, report)) for report in rule.check(self)]
+            yield from self._whole(rule, found)
         found += self._noticed(self.notices)
+        if early is not None and (self._prove is not None or self._run is not None):
+            early(self._kept(found, whole=False))
+            yield
         if self._prove is not None:
             yield from self._more(found, self._prove)
         if self._run is not None and all(finding.severity < Severity.ERROR for finding in found):
             # A program that is wrong as it stands is not run: what it would meet would be guesses.
             yield from self._more(found, self._run)
         return self._kept(found)
+
+    def _whole(self, rule: Rule, found: list[Finding]) -> Iterator[None]:
+        """Add what a rule says of the whole program."""
+        if isinstance(rule.trigger, Whole) and rule.trigger.ready is not None:
+            yield from rule.trigger.ready(self)
+        for report in rule.on_program(self):
+            if report is None:
+                yield
+            else:
+                found.append(self._finding(report.line, Said(0, rule, report)))
 
     def _more(self, found: list[Finding], ask: Callable[[Analysis], Iterable[Finding | None]]) -> Iterator[None]:
         """Add what else is found; nothing is said twice."""
@@ -103,11 +125,12 @@ class Analysis:
                 said.add((other.rule, other.place))
                 found.append(other)
 
-    def _kept(self, found: list[Finding]) -> list[Finding]:
-        """What no comment allows, in order. A comment speaks for the file that it stands in."""
+    def _kept(self, found: list[Finding], *, whole: bool = True) -> list[Finding]:
+        """What no comment allows, in order. A comment speaks for the file that it stands in, and is of no use only if the ``whole`` has none for it."""
         elsewhere = [finding for finding in found if finding.place.file != self.file]
         kept = allowed(self.document, [finding for finding in found if finding.place.file == self.file], self.ruleset)
-        return sorted([*kept.findings, *elsewhere, *self._noticed(kept.notices)], key=lambda finding: finding.order)
+        notices = kept.notices if whole else (each for each in kept.notices if each.kind != UNUSED)
+        return sorted([*kept.findings, *elsewhere, *self._noticed(notices)], key=lambda finding: finding.order)
 
     def line_findings(self, line: int) -> list[Finding]:
         """The findings that a line alone decides, but for those that a comment allows."""
@@ -151,6 +174,14 @@ class Analysis:
         if found is None:
             found = piece.chunk.memo[key] = (*self._planned(piece), *self._texts(piece), *self._long(piece))
         return found
+
+    def _planning(self, piece: Piece) -> Iterator[None]:
+        """Have the rules on the lines of a chunk planned, which is most of what a chunk costs that was never looked at."""
+        if (self.ruleset, self.document.key(piece)) not in piece.chunk.memo:
+            for number, (reading, shape) in enumerate(piece.distinct(), 1):
+                self.ruleset.plan(shape, reading)
+                if not number % _FEW:
+                    yield
 
     def _on_line(self, piece: Piece, index: int) -> Iterator[Said]:
         """What rules on lines say of one line."""

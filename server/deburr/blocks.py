@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import islice
+from typing import Any
 
+from deburr.steps import done, paced
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.structure import Placed
 
@@ -45,10 +47,24 @@ class Scope:
 
 def scopes(brackets: Iterable[tuple[int, Bracket]]) -> tuple[Scope, ...]:
     """The scopes in order; what stands outside all regions is the first, in as many pieces as regions leave, joined."""
+    return done(scoping(brackets))
+
+
+def ready(analysis: Any) -> Iterator[None]:
+    """Have an analysis find its scopes, in steps."""
+    yield from analysis.scoping()
+
+
+def scoping(brackets: Iterable[tuple[int, Bracket]]) -> Generator[None, None, tuple[Scope, ...]]:
+    """The same, found in steps."""
     outside = Scope(None)
     found, scope = [outside], outside
     inner: Block | None = None
-    for line, bracket in brackets:
+    for each in paced(brackets):
+        if each is None:
+            yield
+            continue
+        line, bracket = each
         placed = Placed(line, bracket)
         match bracket.role:
             case Role.OPEN:

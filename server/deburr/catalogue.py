@@ -14,7 +14,7 @@ from pkgutil import iter_modules
 from typing import Any, NamedTuple, get_args
 
 from deburr.finding import Severity
-from deburr.rule import Modal, Nodes, Report, Rule, Structure, Trigger
+from deburr.rule import Modal, Nodes, Report, Rule, Structure, Trigger, Whole
 from deburr_grammar.structure import Fault
 
 COMMON = "deburr.rules.common"
@@ -22,7 +22,7 @@ _BY_NAME: dict[str, Any] = {each.__name__: each for each in get_args(Trigger)}
 
 
 class Row(NamedTuple):
-    """A rule in an index: all that decides whether it is asked, in plain values. ``met`` and ``where``: whether it has them."""
+    """A rule in an index: all that decides whether it is asked, in plain values. ``met``, and ``where`` or ``ready``: whether it has them."""
 
     file: str
     severity: int
@@ -55,7 +55,7 @@ def loaded(package: str) -> Iterator[Rule]:
 def row(rule: Rule) -> Row:
     """A rule as its index has it."""
     said = rule.trigger._asdict()
-    where = said.pop("where", None) is not None
+    where = any(said.pop(each, None) is not None for each in ("where", "ready"))
     if isinstance(rule.trigger, Structure):
         said["faults"] = tuple(fault.name for fault in rule.trigger.faults)
     file, met = rule.module.rpartition(".")[2], rule.met is not None
@@ -73,6 +73,12 @@ class _Later:
         return _rule_in(self._module)
 
     @cached_property
+    def _ready(self) -> Callable[..., Iterator[None]]:
+        trigger = self._rule.trigger
+        assert isinstance(trigger, Whole) and trigger.ready is not None
+        return trigger.ready
+
+    @cached_property
     def _where(self) -> Callable[..., bool]:
         trigger = self._rule.trigger
         assert isinstance(trigger, Nodes | Modal) and trigger.where is not None
@@ -86,6 +92,10 @@ class _Later:
         """What it says of what a run met."""
         assert self._rule.met is not None
         return self._rule.met(*asked)
+
+    def ready(self, *asked: Any) -> Iterator[None]:
+        """Derives what it stands on."""
+        return self._ready(*asked)
 
     def where(self, *asked: Any) -> bool:
         """Whether it may say something."""
@@ -108,7 +118,7 @@ def _known(package: str, row: Row) -> Rule:
     if "faults" in said:
         said["faults"] = tuple(Fault[name] for name in said["faults"])
     if row.where:
-        said["where"] = later.where
+        said |= {"ready": later.ready} if row.trigger == Whole.__name__ else {"where": later.where}
     name = f"{package.rpartition('.')[2]}.{row.file.replace('_', '-')}"
     trigger, met = _BY_NAME[row.trigger](**said), later.met if row.met else None
     return Rule(name, Severity(row.severity), trigger, later.check, module, row.default, met, row.input)

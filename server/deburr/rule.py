@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from deburr.finding import Severity
 from deburr_grammar.line import LineNode
@@ -147,7 +147,12 @@ class Structure(NamedTuple):
 
 
 class Whole(NamedTuple):
-    """The rule is called once: `check(analysis)`; reports must name a line."""
+    """The rule is called once: `check(analysis)`; reports must name a line, and between them it may yield None where its work can be left.
+
+    ``ready`` derives what the rule stands on, which it then finds kept with the analysis, in work that can be left at each step.
+    """
+
+    ready: Callable[[Any], Iterator[None]] | None = None
 
 
 class Notice(NamedTuple):
@@ -197,6 +202,10 @@ class Rule:
         found: Callable[[Any], Iterator[Any]] | None = getattr(import_module(self.module), "fix", None)
         return found
 
+    def on_program(self, analysis: Any) -> Iterator[Report | None]:
+        """What a rule on the whole program says, with a None wherever its work can be left."""
+        return self.check(analysis)
+
     @property
     def page(self) -> str:
         """The manual page: the docstring of the rule's file."""
@@ -215,13 +224,14 @@ class Rule:
 
 def rule(
     severity: Severity, trigger: Trigger, *, default: bool = True, met: Check | None = None, input: bool = False
-) -> Callable[[Check], Rule]:
+) -> Callable[[Callable[..., Iterator[Report | None]]], Rule]:
     """Make a generator the rule of its file. ``default``: whether it speaks unless asked to be silent; ``met`` and ``input``: see `Rule`."""
 
-    def made(check: Check) -> Rule:
+    def made(check: Callable[..., Iterator[Report | None]]) -> Rule:
         module = check.__module__
         folder, file = module.split(".")[-2:]
         name = f"{folder}.{file.replace('_', '-')}"
+        check = cast(Check, check)
         said = check if isinstance(trigger, Ran) else met
         return Rule(name, severity, trigger, check, module, default, said, input)
 

@@ -79,6 +79,8 @@ class Stateful:
             kept: tuple[tuple[Said, ...], State] | None = piece.chunk.memo.get(key)
             if kept is None:
                 kept = piece.chunk.memo[key] = self._through(piece, state)
+                # Whoever asks for the state at one line after an edit need not go through the chunks above once more.
+                document.keep_state(self._modal, piece, state, kept[1])
             found, after = kept
             yield piece, state, found
             state = after

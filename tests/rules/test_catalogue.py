@@ -3,7 +3,7 @@
 import pytest
 
 from deburr.catalogue import loaded, rule_names, rules_of
-from deburr.rule import Modal, Nodes, Rule
+from deburr.rule import Modal, Nodes, Rule, Whole
 from deburr.rules.cgt import _index
 from deburr.ruleset import Searched
 from deburr_grammar.dialects import NAMES
@@ -13,8 +13,10 @@ def weighed(rule: Rule) -> tuple[object, ...]:
     """All that decides whether a rule is asked, but for what it is asked by."""
     trigger = rule.trigger
     where = isinstance(trigger, Nodes | Modal) and trigger.where is not None
+    ready = isinstance(trigger, Whole) and trigger.ready is not None
     plain = trigger._replace(where=None) if isinstance(trigger, Nodes | Modal) else trigger
-    return rule.short, rule.severity, rule.default, rule.input, rule.met is not None, plain, where
+    plain = trigger._replace(ready=None) if isinstance(trigger, Whole) else plain
+    return rule.short, rule.severity, rule.default, rule.input, rule.met is not None, plain, where, ready
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -25,6 +25,7 @@ _BLOCKS = 500
 """Flat lines after which an expansion is cut: how long they get is not the question here."""
 _MAY_REFUSE = {-32800: "cancelled", -32802: "changed meanwhile", -32803: "cannot be done"}
 """Errors that are answers: LSP's RequestCancelled, ServerCancelled, RequestFailed."""
+_NUMBER_OR_NAME = re.compile(r"[0-9]+|[a-z_]{4,}")
 _FOLLOW = {
     "completionItem/resolve": "textDocument/completion",
     "codeLens/resolve": "textDocument/codeLens",
@@ -70,10 +71,17 @@ def requests() -> list[str]:
 
 
 class Typist:
-    """Works on programs. A round is the same work each time, for a given seed: what grows from one to the next is a leak."""
+    """Works on programs. A round is the same work each time, for a given seed: what grows from one to the next is a leak.
 
-    def __init__(self, client: Client, folder: Path, pause: Callable[[], None] = lambda: None) -> None:
+    ``new``: where the numbers and names come from that make lines which nobody has typed before; what is kept of
+    such lines has bounds, and shows that it has them only here. None: nothing is typed but what the programs hold.
+    """
+
+    def __init__(
+        self, client: Client, folder: Path, pause: Callable[[], None] = lambda: None, new: Random | None = None
+    ) -> None:
         self.seen = Seen()
+        self._new = new
         self._client = client
         self._paths = programs(folder)
         self._methods = requests()
@@ -105,7 +113,7 @@ class Typist:
         lines = text.split("\n")
         for _ in range(3):
             line = self._random.randrange(len(lines))
-            for at in self._typed(uri, line, self._random.choice(lines)):
+            for at in self._typed(uri, line, renewed(self._random.choice(lines), self._new)):
                 self._ask_about(uri, line, at)
             self._change(uri, (line, 0), (line + 1, 0), "")
         line = self._random.randrange(len(lines))
@@ -179,6 +187,20 @@ class Typist:
             self.seen.answers[method] += 1
         self._pending.clear()
         self._client.said.clear()
+
+
+def renewed(text: str, new: Random | None) -> str:
+    """A line with other numbers and names, and one more expression, so that neither it nor its shape was ever there."""
+    if new is None:
+        return text
+    text = _NUMBER_OR_NAME.sub(lambda match: _another(match[0], new), text)
+    return f"{text}{new.choice('+-*/')}{new.choice('XYZIJ')}{new.randrange(10**6)}" if new.random() < 0.5 else text
+
+
+def _another(word: str, new: Random) -> str:
+    if word.isdecimal():
+        return str(new.randrange(10 ** len(word)))
+    return "".join(new.choice("abcdefghij") if char.islower() else char for char in word)
 
 
 def _about(uri: str, line: int, character: int) -> Json:

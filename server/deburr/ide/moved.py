@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
-from deburr.finding import Finding, Place
+from deburr.finding import Finding, Place, Related
+from deburr.ide.held import Held
 from deburr.rule import Long, Modal, Nodes, Syntax, Text
 from deburr.ruleset import RuleSet
+from deburr.suppress import is_allowed
 from deburr_grammar.text import Edit, split_lines
 
 _BY_LINE = Syntax | Nodes | Modal | Text | Long
@@ -35,24 +38,27 @@ def change_of(edit: Edit) -> Change:
     return Change(edit, len(lines) - 1, lines[-1])
 
 
-def moved(findings: Iterable[Finding], edits: Sequence[Edit], analysis: Analysis) -> list[Finding]:
-    """The findings after the edits: those of touched lines and of structure anew, all others where they stand now."""
+def moved(held: Held, edits: Sequence[Edit], analysis: Analysis) -> Held:
+    """Findings after the edits, each where it stands now, but for those that the touched lines decide: `found_anew` has these."""
     changes = [change_of(edit) for edit in edits]
-    touched = touched_lines(changes)
-    by_line, structural = _names(analysis.ruleset)
-    file = analysis.file
-    found = [finding for finding in findings if finding.rule not in structural]
     for change in changes:
-        found = [kept for finding in found if (kept := _moved(finding, change, file)) is not None]
-    found = [
-        each for each in found if not (each.rule in by_line and _on(each.place, touched) and each.place.file == file)
-    ]
-    for line in touched[:_MOST]:
-        if line < analysis.document.line_count:
-            found += analysis.line_findings(line)
-    for fault in analysis.document.faults if structural else ():
-        found += analysis.fault_findings(fault)
-    return sorted(set(found), key=lambda finding: finding.order)
+        start, end = change.edit.start.line, change.edit.end.line
+        held = held.changed(start, end, change.shift, partial(_moved, change=change))
+    return held.without(touched_lines(changes), _by_line(analysis.ruleset))
+
+
+def found_anew(edits: Sequence[Edit], analysis: Analysis) -> list[Finding]:
+    """What the touched lines decide by themselves."""
+    touched = touched_lines([change_of(edit) for edit in edits])
+    there = (line for line in touched[:_MOST] if line < analysis.document.line_count)
+    return [finding for line in there for finding in analysis.line_findings(line)]
+
+
+def structural(analysis: Analysis) -> list[Finding]:
+    """What the structure of the blocks decides."""
+    faults = analysis.document.faults if analysis.ruleset.on_structure else ()
+    found = (finding for fault in faults for finding in analysis.fault_findings(fault))
+    return [finding for finding in found if not is_allowed(analysis.document, finding)]
 
 
 def touched_lines(changes: Iterable[Change]) -> list[int]:
@@ -65,26 +71,36 @@ def touched_lines(changes: Iterable[Change]) -> list[int]:
     return sorted(touched)
 
 
-def _on(place: Place, lines: Sequence[int]) -> bool:
-    return place.line in lines
+def _by_line(ruleset: RuleSet) -> frozenset[str]:
+    """The names of the rules that lines decide."""
+    return frozenset(rule.name for rule in ruleset.rules if isinstance(rule.trigger, _BY_LINE))
 
 
-def _names(ruleset: RuleSet) -> tuple[frozenset[str], frozenset[str]]:
-    """The names of the rules that lines decide, and of those on structure."""
-    lines = frozenset(rule.name for rule in ruleset.rules if isinstance(rule.trigger, _BY_LINE))
-    return lines, frozenset(rule.name for rule in ruleset.on_structure)
+def _moved(finding: Finding, change: Change) -> Finding | None:
+    """A finding behind an edit of its file; None if it stood in what was taken away."""
+    place = _place(finding.place, change)
+    if place is None:
+        return None
+    file = finding.place.file
+    related = tuple(each if each.place.file != file else _related(each, change) for each in finding.related)
+    return finding if place is finding.place and not related else finding._replace(place=place, related=related)
 
 
-def _moved(finding: Finding, change: Change, file: str) -> Finding | None:
-    """A finding behind an edit; None if it stood in what was taken away."""
-    place = finding.place
+def _related(related: Related, change: Change) -> Related:
+    """What a finding points at; where the edit took that away, the edit."""
+    start = change.edit.start
+    place = _place(related.place, change) or Place(related.place.file, start.line, start.col, start.line, start.col)
+    return related._replace(place=place)
+
+
+def _place(place: Place, change: Change) -> Place | None:
     start, end = change.edit.start, change.edit.end
-    if place.file != file or (place.end_line, place.end_col) <= start:
-        return finding
+    if (place.end_line, place.end_col) <= start:
+        return place
     if (place.line, place.col) < end:
         return None
-    lines = [_shifted(line, col, change) for line, col in ((place.line, place.col), (place.end_line, place.end_col))]
-    return finding._replace(place=Place(place.file, *lines[0], *lines[1]))
+    ends = [_shifted(line, col, change) for line, col in ((place.line, place.col), (place.end_line, place.end_col))]
+    return Place(place.file, *ends[0], *ends[1])
 
 
 def _shifted(line: int, col: int, change: Change) -> tuple[int, int]:

@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from heapq import merge
+from itertools import chain, groupby, islice
 from typing import TYPE_CHECKING
 
 from deburr.analysis import Analysis
+from deburr.finding import Severity
 from deburr.host import NoFiles
-from deburr.ide.moved import moved
+from deburr.ide.held import Held
+from deburr.ide.moved import found_anew, moved, structural
+from deburr.lsp.checked import Checked, learn, once, order, release
 from deburr.needs import Needs
 
 if TYPE_CHECKING:
     from deburr.finding import Finding
     from deburr.host import Host
     from deburr.ide.view import View
-    from deburr.lsp.files import Stamp
     from deburr.lsp.idle import Idle
     from deburr.lsp.session import Open, Session
     from deburr_grammar.text import Edit
@@ -29,17 +32,6 @@ PAUSE = 0.1
 
 class Outdated(Exception):
     """What was waited for is of no interest any more: the program has changed."""
-
-
-@dataclass(eq=False)
-class Checked:
-    """What is known of a program. ``whole``: all of it was gone through in its present state."""
-
-    findings: tuple[Finding, ...] = ()
-    whole: bool = False
-    needs: Needs | None = None
-    stamp: Stamp | None = None
-    waiting: list[asyncio.Future[None]] = field(default_factory=list)
 
 
 class Checks:
@@ -58,23 +50,44 @@ class Checks:
         self._pauses: dict[str, asyncio.TimerHandle] = {}
         self.depended: Callable[[], None] = lambda: None
         """Called when programs are checked again because of others."""
+        self.done: Callable[[], None] = lambda: None
+        """Called when a program has been gone through."""
         self.changed: Callable[[set[str]], None] = lambda files: None
         """Called with files that are not as they were, when the pause behind the last edit has passed."""
 
     def findings(self, file: str) -> tuple[Finding, ...]:
         """What is known of a file: what its own check found there and what those of others did."""
+        return tuple(self._merged(file))
+
+    def first(self, file: str, count: int) -> tuple[list[Finding], int]:
+        """The first findings in a file, and about how many there are in all: as many as there are unless two checks found the same."""
         own = self._known.get(file)
-        found = [finding for finding in own.findings if finding.place.file == file] if own else []
-        for other, known in self._known.items():
-            if other != file and known.needs is not None and file in known.needs.texts:
-                found += [finding for finding in known.findings if finding.place.file == file]
-        return tuple(sorted(set(found), key=lambda finding: finding.order))
+        several = 0 if own is None else len(own.still) + len(own.blocks) + len(own.ran)
+        return list(islice(self._merged(file), count)), several + len(self._by_others(file))
+
+    def on(self, file: str, first: int, last: int) -> list[Finding]:
+        """The findings that begin on some lines of a file, both included."""
+        own = self._known.get(file)
+        lists = [own.still.on(first, last), own.ran.on(first, last)] if own else []
+        more = [*(own.blocks if own else ()), *self._by_others(file)]
+        return once(chain(*lists, (each for each in more if first <= each.place.line <= last)))
 
     def elsewhere(self, file: str) -> dict[str, tuple[Finding, ...]]:
         """What the check of a program found in other files."""
         own = self._known.get(file)
-        files = {finding.place.file for finding in own.findings} - {file} if own else set()
-        return {other: self.findings(other) for other in sorted(files)}
+        return {other: self.findings(other) for other in sorted(own.elsewhere)} if own else {}
+
+    def _merged(self, file: str) -> Iterator[Finding]:
+        own = self._known.get(file)
+        lists: list[Iterable[Finding]] = [own.still, own.blocks, own.ran] if own else []
+        every = merge(*lists, once(self._by_others(file)), key=order)
+        return (finding for finding, _ in groupby(every))
+
+    def _by_others(self, file: str) -> list[Finding]:
+        """What the checks of other programs found in a file."""
+        checks = (known for other, known in self._known.items() if other != file)
+        reading = (known for known in checks if known.needs is not None and file in known.needs.texts)
+        return [finding for known in reading for finding in known.elsewhere.get(file, ())]
 
     def opened(self, program: Open) -> None:
         """A program was opened, or is another than before."""
@@ -89,10 +102,12 @@ class Checks:
         known.whole = False
         if view is not None:
             analysis = Analysis(view.document, view.ruleset, view.file, view.host)
-            known.findings = tuple(moved(known.findings, edits, analysis))
+            known.still = moved(known.still, edits, analysis).also(found_anew(edits, analysis))
+            known.ran = moved(known.ran, edits, analysis)
+            known.blocks = tuple(once(structural(analysis)))
             self._say(program.file)
         self._idle.drop(program.file)
-        _release(known, Outdated())
+        release(known, Outdated())
         self._later(program.file)
         self.touched(program.file)
 
@@ -100,9 +115,9 @@ class Checks:
         """A program was closed."""
         self._idle.drop(program.file)
         known = self._known.pop(program.file, None)
-        _release(known, Outdated())
+        release(known, Outdated())
         self._say(program.file)
-        for file in _places(known):
+        for file in known.elsewhere if known is not None else ():
             self._say(file)
         self.touched(program.file)
 
@@ -142,11 +157,13 @@ class Checks:
 
     def _begin(self, file: str, view: View | None, *, urgent: bool = False) -> None:
         known = self._known.setdefault(file, Checked())
-        _release(known, Outdated())
+        release(known, Outdated())
         known.whole = False
         known.stamp = self._session.files.stamp(file)
         if view is None:
-            self._finish(known, file, (), None)
+            before = set(known.elsewhere)
+            known.still, known.blocks, known.ran, known.elsewhere = Held(), (), Held(), {}
+            self._finish(known, file, None, before)
             return
         self._idle.start(file, self._work(file, view, known), urgent=urgent)
 
@@ -155,14 +172,39 @@ class Checks:
         needs = None if isinstance(view.host, NoFiles) else Needs(view.host)
         host: Host = view.host if needs is None else needs
         run = self._run if self._session.settings.of(file).runs else None
-        found: list[Finding] = []
+        before = set(known.elsewhere)
+        analysis = Analysis(view.document, view.ruleset, file, host, run=run, prove=self._prove)
         try:
-            analysis = Analysis(view.document, view.ruleset, file, host, run=run, prove=self._prove)
-            found = yield from analysis.gathering()
+            yield from self._gone_through(analysis, known)
         except Exception as error:
             self._failed(error)
-            found = list(known.findings)
-        self._finish(known, file, tuple(found), needs)
+        finally:
+            # What was derived holds the analysis, which holds it: let go, it need not be looked for.
+            analysis.memo.clear()
+        self._finish(known, file, needs, before)
+
+    def _gone_through(self, analysis: Analysis, known: Checked) -> Iterator[None]:
+        """Learn all of a program; what it says as it stands is told before its values are proven and it is run."""
+        still: list[Finding] | None = None
+
+        def early(found: list[Finding]) -> None:
+            nonlocal still
+            still = found
+            # A program with an error is not run, so nothing of a run is left of it.
+            keeps = all(finding.severity is not Severity.ERROR for finding in found)
+            learn(known, analysis, found, known.ran if keeps else Held())
+            self._say(analysis.file)
+
+        found = yield from analysis.gathering(early)
+        known_still = set(found if still is None else still)
+        more = [finding for finding in found if finding not in known_still]
+        learn(
+            known,
+            analysis,
+            found,
+            Held.of(finding for finding in more if finding.place.file == analysis.file),
+            frozenset(more),
+        )
 
     def _run(self, analysis: Analysis) -> Iterator[Finding | None]:
         """What a bounded run meets. What goes wrong in an interpreter costs no other finding."""
@@ -182,12 +224,12 @@ class Checks:
         except Exception as error:
             self._failed(error)
 
-    def _finish(self, known: Checked, file: str, found: tuple[Finding, ...], needs: Needs | None) -> None:
-        before = _places(known)
-        known.findings, known.whole, known.needs = found, True, needs
-        for each in sorted({file} | before | _places(known)):
+    def _finish(self, known: Checked, file: str, needs: Needs | None, before: set[str]) -> None:
+        known.whole, known.needs = True, needs
+        for each in sorted({file} | before | set(known.elsewhere)):
             self._say(each)
-        _release(known, None)
+        release(known, None)
+        self.done()
 
     def _later(self, file: str) -> None:
         """Go through an edited program when nothing was typed for a moment; whoever asks for the whole need not wait for that."""
@@ -224,21 +266,3 @@ class Checks:
             self._begin(file, program.view)
         else:
             self._begin(file, self._session.view(file))
-
-
-def _places(known: Checked | None) -> set[str]:
-    """The files in which a program's check found something."""
-    return {finding.place.file for finding in known.findings} if known else set()
-
-
-def _release(known: Checked | None, error: Exception | None) -> None:
-    """Tell those who wait for a check that it is done, or that it never will be."""
-    waiting = known.waiting if known is not None else []
-    for future in waiting:
-        if future.done():
-            continue
-        if error is None:
-            future.set_result(None)
-        else:
-            future.set_exception(error)
-    waiting.clear()

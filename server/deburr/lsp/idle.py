@@ -34,10 +34,10 @@ class Idle:
         self._plan()
 
     def drop(self, key: object) -> None:
-        """Leave a piece of work where it is."""
+        """Leave a piece of work where it is. What it holds is let go when what is being done now is done."""
         work = self._waiting.pop(key, None)
         if isinstance(work, Generator) and not getattr(work, "gi_running", False):
-            work.close()
+            self._loop.call_soon(work.close)
 
     def has(self, key: object) -> bool:
         """Whether there is work under a key."""

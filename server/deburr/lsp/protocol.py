@@ -54,8 +54,12 @@ class Protocol(LanguageServerProtocol):
 
     def send(self, message: Mapping[str, Any]) -> None:
         """Send JSON that is a message already."""
+        self.send_text(json.dumps({"jsonrpc": "2.0", **message}))
+
+    def send_text(self, message: str) -> None:
+        """Send a message that is written already."""
         assert self.writer is not None
-        self.writer.write(framed(json.dumps({"jsonrpc": "2.0", **message}).encode()))
+        self.writer.write(framed(message.encode()))
 
     def _send_response(self, msg_id: Any, result: Any = None, error: Any = None) -> None:
         """A result that is JSON already is sent as it is: to go through hundreds of items once more would cost more than to find them."""

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import json
 from itertools import count
 from typing import TYPE_CHECKING
 
-from deburr.lsp.report import capped
+from deburr.lsp.report import MOST, capped
 
 if TYPE_CHECKING:
     from deburr.lsp.checks import Checks
     from deburr.lsp.protocol import Protocol
-    from deburr.lsp.report import Json
     from deburr.lsp.session import Session
+
+_NONE = "[]"
 
 
 class Publisher:
@@ -22,7 +24,7 @@ class Publisher:
     def __init__(self, protocol: Protocol, session: Session) -> None:
         self._protocol = protocol
         self._session = session
-        self._sent: dict[str, tuple[int | None, list[Json]]] = {}
+        self._sent: dict[str, tuple[int | None, str]] = {}
         self._numbers = count(1)
 
     def changed(self, file: str) -> None:
@@ -30,18 +32,19 @@ class Publisher:
         if self._session.client.pulls:
             return
         program = self._session.open_files.get(file)
-        items = capped(self.checks.findings(file), self._session)
+        items = capped(*self.checks.first(file, MOST), self._session)
         version = program.version if program is not None else None
-        if self._sent.get(file, (None, [])) == (version, items):
+        if self._sent.get(file, (None, _NONE)) == (version, items):
             return
-        if program is None and not items:
+        if program is None and items == _NONE:
             self._sent.pop(file, None)
         else:
             self._sent[file] = version, items
-        params: Json = {"uri": self._session.uri(file), "diagnostics": items}
-        if version is not None:
-            params["version"] = version
-        self._protocol.send({"method": "textDocument/publishDiagnostics", "params": params})
+        number = "" if version is None else f', "version": {version}'
+        params = f'{{"uri": {json.dumps(self._session.uri(file))}, "diagnostics": {items}{number}}}'
+        self._protocol.send_text(
+            f'{{"jsonrpc": "2.0", "method": "textDocument/publishDiagnostics", "params": {params}}}'
+        )
 
     def refresh(self) -> None:
         """Programs were checked again because others changed."""

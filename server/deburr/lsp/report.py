@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from hashlib import md5
 from typing import TYPE_CHECKING, Any
 
-from deburr.finding import Severity
+from deburr.finding import Finding, Place, Severity
 from deburr.lsp.capabilities import PAGES
 
 if TYPE_CHECKING:
-    from deburr.finding import Finding, Place
     from deburr.lsp.convert import Line
     from deburr.lsp.session import Session
 
@@ -19,6 +19,8 @@ MOST = 500
 """Diagnostics of one document that are pushed; a client that asks is given all."""
 
 
+_NOWHERE = Place("", 0, 0, 0, 0)
+_POSITION = ("line", "character")
 _LEVELS = {Severity.ERROR: 1, Severity.WARNING: 2, Severity.INFO: 3}
 
 Json = dict[str, Any]
@@ -29,14 +31,15 @@ def diagnostics(findings: Iterable[Finding], session: Session) -> list[Json]:
     return list(_Report(session).all(findings))
 
 
-def capped(findings: Sequence[Finding], session: Session) -> list[Json]:
-    """The first findings for the client, and how many more there are."""
-    found = diagnostics(findings[:MOST], session)
-    if len(findings) > MOST:
-        rest = len(findings) - MOST
-        last = found[-1]["range"]
-        found.append({"range": last, "severity": 3, "source": "deburr", "message": f"{rest} more findings below"})
-    return found
+def capped(findings: Sequence[Finding], several: int, session: Session) -> str:
+    """The first findings for the client, of ``several`` in all, as the text of a list; and how many more there are."""
+    report = _Report(session)
+    found = [report.text(finding) for finding in findings[:MOST]]
+    if several > len(found) and found:
+        last = report.range(findings[len(found) - 1].place)
+        rest = f"{several - len(found)} more findings below"
+        found.append(json.dumps({"range": last, "severity": 3, "source": "deburr", "message": rest}))
+    return f"[{', '.join(found)}]"
 
 
 def result_id(items: Sequence[Json]) -> str:
@@ -55,34 +58,58 @@ class _Report:
     def __init__(self, session: Session) -> None:
         self._session = session
         self._lines: dict[str, Line] = {}
+        self._pages = session.client.content
 
     def all(self, findings: Iterable[Finding]) -> Iterable[Json]:
         """The diagnostics in order."""
-        pages = self._session.client.content
         for finding in findings:
-            found: Json = {
-                "range": self._range(finding.place),
-                "severity": _LEVELS[finding.severity],
-                "code": finding.rule,
-                "source": "deburr",
-                "message": finding.message,
-            }
-            if pages:
-                found["codeDescription"] = {"href": page_uri(finding.rule)}
+            found: Json = {"range": self.range(finding.place), **_said(finding, self._pages)}
             if finding.related:
                 found["relatedInformation"] = [
                     {"location": self._location(each.place), "message": each.message} for each in finding.related
                 ]
             yield found
 
+    def text(self, finding: Finding) -> str:
+        """A diagnostic as JSON: what it says is written once, for at each keystroke hundreds are sent of which none is another."""
+        if finding.related:
+            return json.dumps(next(iter(self.all((finding,)))))
+        (line, start), (end_line, end) = self._ends(finding.place)
+        ends = (
+            f'{{"start": {{"line": {line}, "character": {start}}}, "end": {{"line": {end_line}, "character": {end}}}}}'
+        )
+        return f'{{"range": {ends}, {_written(finding.rule, finding.severity, finding.message, self._pages)}'
+
+    def range(self, place: Place) -> Json:
+        """A place for the client."""
+        start, end = self._ends(place)
+        return {"start": dict(zip(_POSITION, start)), "end": dict(zip(_POSITION, end))}
+
     def _location(self, place: Place) -> Json:
-        return {"uri": self._session.uri(place.file), "range": self._range(place)}
+        return {"uri": self._session.uri(place.file), "range": self.range(place)}
 
-    def _range(self, place: Place) -> Json:
-        lines = self._lines.get(place.file)
+    def _ends(self, place: Place) -> tuple[tuple[int, int], tuple[int, int]]:
+        file, line, col, end_line, end_col = place
+        lines = self._lines.get(file)
         if lines is None:
-            lines = self._lines[place.file] = self._session.lines(place.file)
-        return {"start": self._at(lines, place.line, place.col), "end": self._at(lines, place.end_line, place.end_col)}
+            lines = self._lines[file] = self._session.lines(file)
+        to_units = self._session.units.col_to_units
+        text = lines(line)
+        end = text if end_line == line else lines(end_line)
+        return (line, to_units(text, col)), (end_line, to_units(end, end_col))
 
-    def _at(self, lines: Callable[[int], str], line: int, col: int) -> Json:
-        return {"line": line, "character": self._session.units.col_to_units(lines(line), col)}
+
+def _said(finding: Finding, pages: bool) -> Json:
+    """What a diagnostic says besides where."""
+    found: Json = {
+        "severity": _LEVELS[finding.severity],
+        "code": finding.rule,
+        "source": "deburr",
+        "message": finding.message,
+    }
+    return found | {"codeDescription": {"href": page_uri(finding.rule)}} if pages else found
+
+
+@lru_cache(maxsize=4_096)
+def _written(rule: str, severity: Severity, message: str, pages: bool) -> str:
+    return json.dumps(_said(Finding(rule, severity, message, _NOWHERE), pages)).removeprefix("{")

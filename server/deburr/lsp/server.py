@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import gc
 import logging
 import sys
 import traceback
@@ -25,6 +24,7 @@ from deburr import __version__
 from deburr.lsp import features
 from deburr.lsp.alive import watch
 from deburr.lsp.checks import Checks
+from deburr.lsp.garbage import Garbage
 from deburr.lsp.idle import Idle
 from deburr.lsp.plots import Plots
 from deburr.lsp.previews import Previews
@@ -75,11 +75,13 @@ class Server(LanguageServer):
         self.loop = loop
         self.over: asyncio.Future[int] = loop.create_future()
         self.protocol.set_writer(stream)
+        self.garbage = Garbage(loop)
         self.idle = Idle(loop, self.failed)
         self.session = Session(client, self.complain)
         self.publisher = Publisher(self.protocol, self.session)
         self.checks = Checks(self.session, self.idle, self._said, self.failed)
         self.publisher.checks = self.checks
+        self.checks.done = self.garbage.checked
         self.checks.depended = self.publisher.refresh
         self.previews = Previews(self)
         self.plots = Plots(self)
@@ -92,6 +94,7 @@ class Server(LanguageServer):
 
     def receive(self, body: bytes) -> None:
         """Take one message; whatever goes wrong with it, the next one is taken as well."""
+        self.garbage.heard()
         try:
             self.protocol.receive(body)
         except BrokenPipeError:
@@ -216,8 +219,6 @@ def run(stream: Stream, frames: Frames, met: Met) -> int:
     loop = asyncio.new_event_loop()
     asyncio.set_event_loop(loop)
     server = Server(met.client, stream, loop)
-    gc.freeze()
-    gc.enable()
     for body in met.waiting:
         loop.call_soon(server.receive, body)
     Thread(target=_read, args=(stream, frames, server), daemon=True).start()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.unit import Unit
 from deburr.formats.parameters import read
+from deburr.steps import done
 from deburr_grammar.document import Document
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ def loaded(job: Job, label: str) -> Unit | None:
         path = f"{folder.rstrip('/')}/{label}.ngc" if folder else f"{label}.ngc"
         text = job.host.read(path)
         if text is not None:
-            return Unit(path, Document.parse(text, job.ruleset.dialect))
+            return done(Unit.making(path, Document.parse(text, job.ruleset.dialect)))
     return None
 
 

@@ -24,7 +24,7 @@ from deburr.expand.rs274.source import Source
 from deburr.expand.rs274.state import State
 from deburr.expand.rs274.template import Templates
 from deburr.expand.rs274.turning import GEOMETRY, turns_by_radius
-from deburr.expand.rs274.unit import COPIED, ELSEWHERE, END, Op, Unit
+from deburr.expand.rs274.unit import COPIED, ELSEWHERE, END, PAUSED, Op, Unit
 from deburr.expand.rs274.values import name_of
 from deburr.fault import Entered, Halt
 from deburr_grammar.text import Span
@@ -44,12 +44,14 @@ _UNSURE = re.compile(r"(?m)^[ \t]*/|\(not_a_subfile\)")
 _ENDS = (2, 30, 98, 99)
 """M codes that end a program, or lead where it may end."""
 _GLOBAL = re.compile(r"#[ \t]*(<[ \t]*_[^<>\n]*>)")
+_MANY = 16
+"""Lines that are compiled before others have their turn."""
 
 
 def run(job: Job) -> Iterator[None]:
     """Run the job's programs, one after the other as one text would be."""
     for program in job.programs:
-        yield from Run(job).all(Unit(program.file, program.document))
+        yield from Run(job).all((yield from Unit.making(program.file, program.document)))
 
 
 def worth_running(document: Document) -> bool:
@@ -75,6 +77,8 @@ class Run:
         self._flow = Flow(self)
         self._templates = Templates(self)
         self._percent = False
+        self._lines = self._next = 0
+        """Lines that were compiled since the run was last left, and the row at which it then goes on."""
         self._computed = False
         """Whether a line with a computed M code was met."""
         self._may_have_ended = False
@@ -91,7 +95,7 @@ class Run:
         self._watch = self._is_watched(unit)
         if worth_running(unit.document):
             self._judge = Judge(self.job)
-            if self.job.inputs.decimals is None and turns_by_radius(unit, self._flow.calls.load):
+            if self.job.inputs.decimals is None and (yield from turns_by_radius(unit, self._flow.calls.load)):
                 self._coordinates = EXACT
         row, left, pace = 0, 0, self.job.pace
         try:
@@ -107,7 +111,10 @@ class Run:
                         break
                     left -= 1
                     row = (code[row] or self._compiled(unit, row))()
-                if row == COPIED:
+                if row == PAUSED:
+                    row, left = self._next, left + 1
+                    yield
+                elif row == COPIED:
                     row, left = self._copied(unit, left + 1)
                 self.job.steps -= left
                 pace -= steps - left
@@ -241,6 +248,10 @@ class Run:
         return f"`{line}` of line {row + 1}{passes}{last_values(self.state, unit, row)}"
 
     def _compiled(self, unit: Unit, row: int) -> Op:
+        self._lines += 1
+        if self._lines > _MANY:
+            self._lines, self._next = 0, row
+            return _paused
         stretch = unit.stretches.at(row)
         if stretch is not None:
             self._stretch = stretch
@@ -358,6 +369,11 @@ class Run:
             value = written(self.state.params[at], self._decimals, self._minus_zero)
             self.emit(f"#{at}={value}", source.file, source.row, self.state.frame)
         self.state.machine.kept.clear()
+
+
+def _paused() -> int:
+    """Leave the run for a moment: many lines were compiled, which takes much longer than to run them."""
+    return PAUSED
 
 
 def _copied() -> int:

@@ -18,10 +18,10 @@ from deburr_grammar.dialects.rs274.outline import PROGRAM
 from deburr_grammar.tree import Node, walk
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Generator
 
     from deburr.expand.rs274.unit import Unit
-    from deburr_grammar.document import Document
+    from deburr_grammar.document import Document, Piece
     from deburr_grammar.line import Shape
 
 GEOMETRY = frozenset(f"{AXES}IJKR@^")
@@ -31,13 +31,15 @@ _TURNS, _RADIUS, _BOTH = 1, 2, 3
 _NUMBERED = re.compile(r"(?i)m[ \t]*0*[ \t]*98[ \t]*p[ \t]*0*([0-9]+)")
 
 
-def turns_by_radius(unit: Unit, load: Callable[[str], Unit | None]) -> bool:
-    """Whether a program with the files that it calls may have an arc in R form. ``load`` brings the file of a label."""
+def turns_by_radius(unit: Unit, load: Callable[[str], Unit | None]) -> Generator[None, None, bool]:
+    """Whether a program with the files that it calls may have an arc in R form, found in steps. ``load`` brings the file of a label."""
     seen: set[str | None] = set()
     found, waiting = 0, [unit]
     while waiting:
         unit = waiting.pop()
-        found |= _features(unit.document)
+        for piece in unit.document.pieces():
+            found |= _of_piece(unit.document, piece)
+            yield
         called = {*unit.called, *_NUMBERED.findall(unit.document.text)} - seen
         seen |= called
         found |= _BOTH if None in called else 0
@@ -45,9 +47,13 @@ def turns_by_radius(unit: Unit, load: Callable[[str], Unit | None]) -> bool:
     return found == _BOTH
 
 
-def _features(document: Document) -> int:
-    shapes = {shape for piece in document.pieces() for _, _, shapes in piece.read() for shape in shapes}
-    return reduce(or_, map(_of_shape, shapes), 0)
+def _of_piece(document: Document, piece: Piece) -> int:
+    """What the lines of a chunk have; kept with it, so that an edit leaves most of it known."""
+    key = ("rs274 turns", document.key(piece))
+    if key not in piece.chunk.memo:
+        piece.chunk.memo[key] = reduce(or_, map(_of_shape, piece.chunk.distinct), 0)
+    found: int = piece.chunk.memo[key]
+    return found
 
 
 def _of_shape(shape: Shape) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from functools import cached_property
 from itertools import islice
 from typing import TYPE_CHECKING
@@ -11,19 +11,20 @@ from typing import TYPE_CHECKING
 from deburr.analysis import Analysis
 from deburr.expand.rs274.copying import Stretches
 from deburr.finding import Severity
+from deburr.steps import paced
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.dialects.rs274.outline import label_of
 
 if TYPE_CHECKING:
     from deburr.expand.job import Job
     from deburr.finding import Finding
-    from deburr_grammar.document import Document
+    from deburr_grammar.document import Document, Piece
 
 _OF_PROGRAMS = ("program-end-missing", "percent")
 """What is wrong with a program that is none with a file that is called."""
 _LOOPS = ("while", "do")
-ELSEWHERE, END, COPIED = -1, -2, -3
-"""What a line gives instead of the next row: the run goes on in another file or subprogram, is over, or a whole stretch is to be copied."""
+ELSEWHERE, END, COPIED, PAUSED = -1, -2, -3, -4
+"""What a line gives instead of the next row: the run goes on in another file or subprogram, is over, or a whole stretch is to be copied; others have their turn first."""
 Op = Callable[[], int]
 """A compiled line: it runs and gives the next row, or one of the signs above."""
 
@@ -70,7 +71,13 @@ class Unit:
         self.passed: set[int] = set()
         """Rows of definitions that the run has come by or called."""
         self.stretches = Stretches(self)
-        self._read()
+
+    @classmethod
+    def making(cls, file: str, document: Document) -> Generator[None, None, Unit]:
+        """A file as it runs, read in steps."""
+        unit = cls(file, document)
+        yield from unit._read()
+        return unit
 
     def sub_behind(self, label: str, row: int) -> int | None:
         """The first subprogram of a label behind a row."""
@@ -84,12 +91,16 @@ class Unit:
         at = bisect_right(rows, row)
         return rows[at] if at < len(rows) else None
 
-    def _read(self) -> None:
+    def _read(self) -> Iterator[None]:
         last = len(self.code)
         around: list[Block] = []
         outside = around
         sub: tuple[int, str | None] | None = None
-        for row, bracket in self.document.brackets():
+        for each in paced(self.document.brackets()):
+            if each is None:
+                yield
+                continue
+            row, bracket = each
             match bracket.role:
                 case Role.OPEN:
                     self.blocks[row] = Block(bracket, row, last)
@@ -147,15 +158,10 @@ class Unit:
                     found.setdefault(name, []).append(row)
         return found
 
-    @cached_property
+    @property
     def called(self) -> frozenset[str | None]:
         """The labels of all calls; None for those that only the run knows."""
-        found: set[str | None] = set()
-        for row in self._with("CALL"):
-            node = self.document.node(row)
-            for label in node.find("label"):
-                found.add(label_of(node.text, label))
-        return frozenset(found)
+        return self.document.gathered("rs274 called", _called)
 
     def _bare(self) -> Iterator[int]:
         flow = {row for row, _ in self.document.brackets()}
@@ -199,3 +205,8 @@ class Unit:
         return self._errors
 
     _errors: dict[int, Finding] | None = None
+
+
+def _called(piece: Piece) -> frozenset[str | None]:
+    nodes = (piece.node(at) for at, _, _ in piece.where(lambda reading, shape: "CALL" in shape.facts(reading).kinds))
+    return frozenset(label_of(node.text, label) for node in nodes for label in node.find("label"))

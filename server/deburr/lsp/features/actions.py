@@ -41,7 +41,7 @@ def on_actions(server: Server, params: types.CodeActionParams) -> list[types.Cod
     found: list[types.CodeAction] = []
     if _wanted(_QUICK, only):
         first, last = params.range.start.line, params.range.end.line
-        near = [each for each in server.checks.findings(view.file) if first <= each.place.line <= last]
+        near = server.checks.on(view.file, first, last)
         found += [*_quick(server, view, near), *_created(server, view, near)]
     start, end = (server.units.pos(view.document, each) for each in (params.range.start, params.range.end))
     could = [each for each in (*offers(view, start, end), everything()) if _wanted(each.kind, only)]

@@ -9,6 +9,7 @@ from posixpath import basename, dirname, join, normpath, splitext
 from deburr.analysis import Analysis
 from deburr.host import NoFiles
 from deburr.rules.rs274._program import Program
+from deburr.steps import done
 from deburr_grammar.document import Document
 
 EXTENSION = ".ngc"
@@ -74,7 +75,7 @@ class Folders:
             self._programs[path] = None
             if text is not None:
                 document = Document.parse(text.removeprefix("\ufeff"), self._analysis.dialect)
-                self._programs[path] = Program(document, self._analysis.settings)
+                self._programs[path] = done(Program.making(document, self._analysis.settings))
         return self._programs[path]
 
     def _near(self, path: str) -> Iterator[str]:

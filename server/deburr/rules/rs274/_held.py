@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Iterator, Mapping
 from enum import Enum
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -71,17 +71,24 @@ class Held(NamedTuple):
     bare: list[tuple[int, str | None]]
 
 
-def held(document: Document, settings: Mapping[str, Any]) -> Held:
-    """What is in the whole program."""
+def holding(document: Document, settings: Mapping[str, Any]) -> Generator[None, None, Held]:
+    """What is in the whole program, found in steps."""
     found = Held([], [], [], [], [])
+    uses = found.uses
     for piece in document.pieces():
         for line, part in _of_piece(document, piece, settings["compare"]):
             at = piece.line + line
-            found.uses.extend([use._replace(line=at) for use in part.uses])
-            found.calls.extend([call._replace(line=at) for call in part.calls])
-            found.ends.extend([at] * len(part.ends))
-            found.percents.extend([at] * len(part.percents))
-            found.bare.extend([(at, label) for _, label in part.bare])
+            for _, span, named, number, role, extent in part.uses:
+                uses.append(Use(at, span, named, number, role, extent))
+            if part.calls:
+                found.calls.extend([call._replace(line=at) for call in part.calls])
+            if part.ends:
+                found.ends.extend([at] * len(part.ends))
+            if part.percents:
+                found.percents.extend([at] * len(part.percents))
+            if part.bare:
+                found.bare.extend([(at, label) for _, label in part.bare])
+        yield
     return found
 
 

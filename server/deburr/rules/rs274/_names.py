@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable
+from collections.abc import Generator, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -12,7 +12,8 @@ from deburr.rules.rs274._files import World, said, world_of
 from deburr.rules.rs274._frame import is_part
 from deburr.rules.rs274._guesses import Guesses
 from deburr.rules.rs274._held import Role
-from deburr.rules.rs274._program import Program, Sub, Use
+from deburr.rules.rs274._program import Program, Sub, Use, ready
+from deburr.steps import done, kept, paced
 
 
 @dataclass(eq=False)
@@ -46,9 +47,30 @@ class Names:
         self._program: Program = self._world.main
         self.guesses = Guesses()
         self._scopes: dict[Sub | None, Scope] = {None: Scope(None)}
-        for use in self._program.uses:
-            sub = self._program.sub_at(use.line)
-            self._scopes.setdefault(sub, Scope(sub)).take(use)
+        self.undefined: list[Use] = []
+        """The reads of names that nothing can have set before."""
+
+    @classmethod
+    def making(cls, analysis: Analysis) -> Generator[None, None, Names]:
+        """The parameters of a program, sorted in steps."""
+        yield from ready(analysis)
+        names = cls(analysis)
+        yield from names._sort()
+        if names._program.sound:
+            names.undefined = yield from names._all_undefined()
+        return names
+
+    def _sort(self) -> Iterator[None]:
+        sub, end, scope = None, -1.0, self._scopes[None]
+        for use in paced(self._program.uses):
+            if use is None:
+                yield
+                continue
+            if use.line > end or sub is None:
+                sub = self._program.sub_at(use.line)
+                end = use.line if sub is None else sub.end
+                scope = self._scopes.setdefault(sub, Scope(sub))
+            scope.take(use)
 
     def scope(self, use: Use) -> Scope:
         """The scope in which a parameter stands."""
@@ -69,12 +91,13 @@ class Names:
             return self.all_sets.get(use.name, [])
         return self._by_name(self.scope(use)).get(use.name or "", [])
 
-    @cached_property
-    def undefined(self) -> list[Use]:
-        """The reads of names that nothing can have set before."""
-        if not self._program.sound:
-            return []
-        reads = [use for scope in self._scopes.values() for use in self._certain(scope) if not self._may_be_set(use)]
+    def _all_undefined(self) -> Generator[None, None, list[Use]]:
+        reads: list[Use] = []
+        for use in paced(use for scope in self._scopes.values() for use in self._certain(scope)):
+            if use is None:
+                yield
+            elif not self._may_be_set(use):
+                reads.append(use)
         return sorted(reads, key=lambda use: (use.line, use.span))
 
     def _certain(self, scope: Scope) -> Iterable[Use]:
@@ -133,10 +156,16 @@ class Names:
 
 def names_of(analysis: Analysis) -> Names:
     """The named parameters of the program that is checked."""
-    found: Names | None = analysis.memo.get("rs274 names")
-    if found is None:
-        found = analysis.memo["rs274 names"] = Names(analysis)
-    return found
+    return done(_making(analysis))
+
+
+def ready_names(analysis: Analysis) -> Iterator[None]:
+    """Sort the named parameters of the program, in steps."""
+    yield from _making(analysis)
+
+
+def _making(analysis: Analysis) -> Generator[None, None, Names]:
+    return kept(analysis.memo, "rs274 names", lambda: Names.making(analysis))
 
 
 def place(scope: Scope) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from heapq import merge
@@ -13,14 +13,18 @@ from typing import Any
 
 from deburr.analysis import Analysis
 from deburr.arithmetic.rs274 import constant
-from deburr.rules.rs274._held import Call, Held, Use, held
+from deburr.rules.rs274._held import Call, Held, Use, holding
+from deburr.steps import done, kept, paced
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.document import Document
+from deburr_grammar.line import LineNode
 from deburr_grammar.structure import Fault
 from deburr_grammar.text import Span
+from deburr_grammar.tree import Node
 
 __all__ = ["Block", "Call", "Program", "Sub", "Use", "program_of"]
 
+_MEMO, _WRITTEN = "rs274 program", "rs274 written condition"
 _LOOPS = frozenset(("while", "do", "repeat"))
 _TORN = frozenset((Fault.REGION_UNOPENED, Fault.REGION_UNCLOSED, Fault.REGION_NESTED, Fault.REGION_MISMATCH))
 
@@ -68,10 +72,10 @@ class Sub:
 class Program:
     """A program by itself."""
 
-    def __init__(self, document: Document, settings: Mapping[str, Any]) -> None:
+    def __init__(self, document: Document, settings: Mapping[str, Any], held: Held) -> None:
         self.document = document
         self._settings = settings
-        self._held: Held = held(document, settings)
+        self._held: Held = held
         self.subs: list[Sub] = []
         self.ended: float = inf
         """The line at which the main program ends for certain."""
@@ -79,8 +83,19 @@ class Program:
         """The lines at which the main program may end."""
         self._blocks: list[Block] = []
         self._around: dict[int, Block | None] = {}
-        self._sweep()
-        self._starts = [sub.start for sub in self.subs]
+        self._starts: list[int] = []
+        self._dead: list[tuple[int, float]] = []
+        """What is never run, from its first line up to but without its last: branches and loops whose condition is written out as false."""
+
+    @classmethod
+    def making(cls, document: Document, settings: Mapping[str, Any]) -> Generator[None, None, Program]:
+        """A program, made in steps."""
+        held = yield from holding(document, settings)
+        program = cls(document, settings, held)
+        yield from program._sweep()
+        program._starts = [sub.start for sub in program.subs]
+        program._dead = yield from program._all_dead()
+        return program
 
     @property
     def calls(self) -> list[Call]:
@@ -185,12 +200,16 @@ class Program:
     def _loop_starts(self) -> list[int]:
         return [block.start for block in self._loops]
 
-    @cached_property
-    def _dead(self) -> list[tuple[int, float]]:
-        """What is never run, from its first line up to but without its last: branches and loops whose condition is written out as false."""
+    def _all_dead(self) -> Generator[None, None, list[tuple[int, float]]]:
+        stretches: list[tuple[int, float]] = []
+        for block in paced(self._blocks):
+            if block is None:
+                yield
+            else:
+                stretches += self._never(block)
         found: list[tuple[int, float]] = []
         reach: float = -1
-        for start, end in sorted(stretch for block in self._blocks for stretch in self._never(block)):
+        for start, end in sorted(stretches):
             if start > reach:
                 found.append((start, end))
                 reach = end
@@ -212,12 +231,18 @@ class Program:
 
     def _condition(self, line: int) -> float | None:
         node = self.document.node(line)
-        o_line = next(node.find("o_line"), None)
-        groups = [part for part in o_line.nodes() if part.kind == "group"] if o_line is not None else []
-        value = constant(node.text, groups[0], self._settings) if groups else None
+        # What hangs on a parameter has no value that is written out, whatever its numbers are.
+        written = node.shape.memo.get(_WRITTEN)
+        if written is None:
+            group = _group(LineNode(node.shape.text, node.reading, node.shape))
+            written = node.shape.memo[_WRITTEN] = (
+                group is not None and "#" not in node.shape.text[group.start : group.end]
+            )
+        group = _group(node) if written else None
+        value = constant(node.text, group, self._settings) if group is not None else None
         return value if isinstance(value, float) else None
 
-    def _sweep(self) -> None:
+    def _sweep(self) -> Iterator[None]:
         """Go through brackets, calls and program ends in the order of their lines."""
         calls = ((call.line, call) for call in self.calls)
         ends = ((line, None) for line in self._held.ends)
@@ -226,7 +251,11 @@ class Program:
         sub: Sub | None = None
         outer: Block | None = None
         inner: Block | None = None
-        for line, event in events:
+        for each in paced(events):
+            if each is None:
+                yield
+                continue
+            line, event = each
             if isinstance(event, Call):
                 self._around[line] = inner
             elif event is None:
@@ -272,7 +301,20 @@ class Program:
 
 def program_of(analysis: Analysis) -> Program:
     """The program that is checked."""
-    found: Program | None = analysis.memo.get("rs274 program")
-    if found is None:
-        found = analysis.memo["rs274 program"] = Program(analysis.document, analysis.settings)
-    return found
+    return done(making(analysis))
+
+
+def making(analysis: Analysis) -> Generator[None, None, Program]:
+    """The program that is checked, made in steps and kept with the analysis."""
+    return kept(analysis.memo, _MEMO, lambda: Program.making(analysis.document, analysis.settings))
+
+
+def ready(analysis: Analysis) -> Iterator[None]:
+    """Make the program, in steps."""
+    yield from making(analysis)
+
+
+def _group(node: LineNode) -> Node | None:
+    """The brackets of an O-word's value."""
+    o_line = next(node.find("o_line"), None)
+    return next((part for part in o_line.nodes() if part.kind == "group"), None) if o_line is not None else None

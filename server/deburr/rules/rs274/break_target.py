@@ -33,7 +33,7 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from deburr.blocks import Block, outward
+from deburr.blocks import Block, outward, ready
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import note, said
 from deburr_grammar.structure import Placed
@@ -42,10 +42,11 @@ if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
 
-@rule(Severity.ERROR, Whole())
-def check(analysis: "Analysis") -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready))
+def check(analysis: "Analysis") -> Iterator[Report | None]:
     """Report every `break` and `continue` whose loop is not around it."""
     for scope in analysis.scopes:
+        yield None
         for placed, inside in scope.middles:
             around = tuple(outward(inside)) if placed.bracket.word in ("break", "continue") else ()
             if placed.bracket.word in ("break", "continue") and not any(_is_loop(block, placed) for block in around):

@@ -48,7 +48,7 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from deburr.blocks import Block, outward
+from deburr.blocks import Block, outward, ready
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import note, said
 from deburr_grammar.structure import Placed
@@ -57,7 +57,7 @@ if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready))
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report every `continue` of a `do` loop behind which the loop has a `break`."""
     for scope in analysis.scopes:

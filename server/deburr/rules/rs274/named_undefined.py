@@ -85,12 +85,12 @@ from deburr.fixers import did_you_mean
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._calls import IDLE
 from deburr.rules.rs274._files import world_of
-from deburr.rules.rs274._names import Names, Scope, names_of, place
+from deburr.rules.rs274._names import Names, Scope, names_of, place, ready_names
 from deburr.rules.rs274._program import Use
 from deburr.rules.rs274._values import given
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready_names))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report every read that nothing can have set before."""
     world = world_of(analysis)

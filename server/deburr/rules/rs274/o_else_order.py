@@ -34,6 +34,7 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from deburr.blocks import ready
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import note, said
 
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready))
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report every branch behind the first `else` of a block."""
     for scope in analysis.scopes:

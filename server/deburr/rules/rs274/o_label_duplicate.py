@@ -46,7 +46,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from deburr.blockfix import highest, renumbered
-from deburr.blocks import DEEPEST, Block
+from deburr.blocks import DEEPEST, Block, ready
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
@@ -56,7 +56,7 @@ if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report every block that is only reached when an earlier block with its label has been."""
     for scope in analysis.scopes:

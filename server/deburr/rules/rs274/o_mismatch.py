@@ -40,7 +40,7 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from deburr.blocks import outward
+from deburr.blocks import outward, ready
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
@@ -51,7 +51,7 @@ if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report ends and branches that belong to another block than the one they stand in."""
     for fault in analysis.document.faults:

@@ -27,7 +27,7 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from deburr.blocks import outward
+from deburr.blocks import outward, ready
 from deburr.fixers import line_deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import label, misspelt, said
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report closers without an opener, and branches without an `if` around them."""
     for fault in analysis.document.faults:

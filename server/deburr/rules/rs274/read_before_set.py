@@ -44,15 +44,16 @@ from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._files import World, world_of
 from deburr.rules.rs274._frame import is_part
 from deburr.rules.rs274._held import Role
-from deburr.rules.rs274._program import Use
+from deburr.rules.rs274._program import Use, ready
 from deburr.rules.rs274._values import given
+from deburr.steps import paced
 
 ARGUMENTS = range(1, 31)
 FREE = range(31, 5001)
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the first read of each number."""
     world = world_of(analysis)
     reads = [use for use in world.main.uses if use.role is Role.READ and use.number is not None]
@@ -60,8 +61,10 @@ def check(analysis: Analysis) -> Iterator[Report]:
         return
     told = {int(said) for said in given(analysis) if said.isdecimal()}
     known, in_main = _known(world), _in_main(world)
-    for use in reads:
-        if (
+    for use in paced(reads):
+        if use is None:
+            yield None
+        elif (
             use.number is not None
             and use.number not in told
             and _is_unset(world, use, known, in_main)

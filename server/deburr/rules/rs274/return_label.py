@@ -28,7 +28,7 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from deburr.blocks import outward
+from deburr.blocks import outward, ready
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready))
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report every `return` whose label is not that of the subprogram or of a block around it."""
     for scope in analysis.scopes:

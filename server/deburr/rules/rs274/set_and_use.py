@@ -24,16 +24,20 @@ from itertools import groupby
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._held import Role
-from deburr.rules.rs274._names import names_of
+from deburr.rules.rs274._names import names_of, ready_names
 from deburr.rules.rs274._program import Use, program_of
+from deburr.steps import paced
 
 
-@rule(Severity.INFO, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.INFO, Whole(ready_names))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report reads outside of the parameter's own new value. Where it had no value before, `named-undefined` speaks."""
     undefined = {(use.line, use.span) for use in names_of(analysis).undefined}
-    for line, uses in groupby(program_of(analysis).uses, key=lambda use: use.line):
-        held = list(uses)
+    for group in paced(groupby(program_of(analysis).uses, key=lambda use: use.line)):
+        if group is None:
+            yield None
+            continue
+        line, held = group[0], list(group[1])
         sets = {_key(use): use for use in held if use.role is Role.SET}
         for use in held if sets else ():
             found = sets.get(_key(use)) if use.role is Role.READ and _key(use) != (None, None) else None

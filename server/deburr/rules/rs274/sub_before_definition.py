@@ -71,10 +71,10 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._files import How, World, said, world_of
-from deburr.rules.rs274._program import Call, Program, Sub
+from deburr.rules.rs274._program import Call, Program, Sub, ready
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report definitions in loops, and calls of the main program that lead to a definition which it comes to later."""
     world = world_of(analysis)

@@ -105,13 +105,13 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._files import World, said, world_of
-from deburr.rules.rs274._program import Call, Program, Sub
+from deburr.rules.rs274._program import Call, Program, Sub, ready
 
 DEEPEST = 9
 """Calls that can be active at once."""
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the call that closes a circle, or the tenth of a chain, among calls of the program's own subs that are made whenever their sub runs."""
     world = world_of(analysis)

@@ -42,10 +42,11 @@ from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._files import How, world_of
 from deburr.rules.rs274._folders import BREAKS, MATCHES
+from deburr.rules.rs274._program import ready
 from deburr_grammar.text import Span
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the name. One that is defined above the call is not looked for in files."""
     world = world_of(analysis)

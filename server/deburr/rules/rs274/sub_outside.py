@@ -25,6 +25,7 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from deburr.blocks import ready
 from deburr.fixers import line_deleted
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import said
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report ends without a start, and returns in the main program."""
     for fault in analysis.document.faults:

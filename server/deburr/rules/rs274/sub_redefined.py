@@ -25,6 +25,7 @@ Good:
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from deburr.blocks import ready
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._o_words import note, said
 from deburr_grammar.structure import Placed
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report every definition but the first of each label."""
     first: dict[str, Placed] = {}

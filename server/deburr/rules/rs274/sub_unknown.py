@@ -94,11 +94,12 @@ from deburr.fixers import did_you_mean
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._calls import IDLE, why
 from deburr.rules.rs274._files import How, said, world_of
+from deburr.rules.rs274._program import ready
 
 _NOWHERE = (How.MISSING, How.PASSED)
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report every call that leads nowhere. Where the program's folder cannot be seen, only what the text itself decides."""
     world = world_of(analysis)

@@ -48,9 +48,12 @@ def taken(document: Document, remapped: Sequence[str] = ()) -> list[Taken] | Non
     foreign = _written(tuple(remapped))
     found: list[Taken] = []
     marks = partial(_marks, foreign)
+    several = 0
     for piece in document.holding((_KEY, foreign), marks, _LINES):
-        if len(found) > _MOST:
+        several += _several(piece, foreign)
+        if several > _MOST:
             return None
+    for piece in document.holding((_KEY, foreign), marks, _LINES):
         found += [line._replace(row=line.row + piece.line) for line in _of_piece(document, piece, foreign)]
     return found
 
@@ -97,6 +100,11 @@ def _takes_part(shape: Shape, reading: Reading) -> bool:
     if not facts.kinds.isdisjoint(_PARTS) or (facts.problems and "#" in shape.text):
         return True
     return shape.needs_depth or _BY_NUMBER.search(shape.text) is not None or aborts(shape.text)
+
+
+def _several(piece: Piece, foreign: re.Pattern[str] | None) -> int:
+    """How many lines of a piece take part: to read them costs much more."""
+    return sum(sum(map(wanted.__contains__, shapes)) for _, shapes, wanted in _wanted(piece, foreign))
 
 
 def _of_piece(document: Document, piece: Piece, foreign: re.Pattern[str] | None) -> list[Taken]:

@@ -1,0 +1,61 @@
+"""When the server looks for garbage: among all objects only where nobody types. Never decides what is kept.
+
+A look at all that is known of a large program takes half a second. What a check leaves behind goes
+without one, as soon as its analysis lets go; so what is known when a check is done is set aside, and
+looked through again only where it has been quiet for a while.
+"""
+
+from __future__ import annotations
+
+import gc
+from time import monotonic
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from asyncio import AbstractEventLoop, TimerHandle
+
+_YOUNG = (20_000, 100, 100)
+"""New objects that are looked through at once, in a millisecond, and how seldom older ones are."""
+_QUIET = 10.0
+"""Seconds without a message after which all is looked through."""
+_SHARE = 60
+"""It is quiet for so many times as long as the last look took."""
+
+
+class Garbage:
+    """Sets aside what is known, and looks through it in quiet times."""
+
+    def __init__(self, loop: AbstractEventLoop) -> None:
+        self._loop = loop
+        self._timer: TimerHandle | None = None
+        self._last = monotonic()
+        self._taken = 0.0
+        gc.freeze()
+        gc.set_threshold(*_YOUNG)
+        gc.enable()
+
+    def heard(self) -> None:
+        """A message has come."""
+        self._last = monotonic()
+
+    def checked(self) -> None:
+        """A program was gone through: what is known now stays known for a while."""
+        gc.collect(0)
+        gc.freeze()
+        if self._timer is None:
+            self._timer = self._loop.call_later(self._pause, self._look)
+
+    @property
+    def _pause(self) -> float:
+        return max(_QUIET, self._taken * _SHARE)
+
+    def _look(self) -> None:
+        self._timer = None
+        begun = monotonic()
+        if begun - self._last < self._pause:
+            self._timer = self._loop.call_later(self._last + self._pause - begun, self._look)
+            return
+        gc.unfreeze()
+        gc.collect()
+        gc.freeze()
+        self._taken = monotonic() - begun

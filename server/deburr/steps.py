@@ -1,0 +1,40 @@
+"""Work that can be left at each of its steps, as generators. Knows nothing of what is done."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Hashable, Iterable, Iterator, MutableMapping
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+
+_MANY = 256
+"""So many small things are done in one step."""
+
+
+def done(work: Generator[None, None, T]) -> T:
+    """What comes of work that nobody leaves."""
+    while True:
+        try:
+            next(work)
+        except StopIteration as end:
+            found: T = end.value
+            return found
+
+
+def kept(
+    memo: MutableMapping[Any, Any], key: Hashable, make: Callable[[], Generator[None, None, T]]
+) -> Generator[None, None, T]:
+    """What is kept under a key, or made in steps and kept when it is whole."""
+    if key not in memo:
+        made = yield from make()
+        memo[key] = made
+    found: T = memo[key]
+    return found
+
+
+def paced(items: Iterable[T]) -> Iterator[T | None]:
+    """Items, with a None behind some hundred of them: there the work can be left."""
+    for number, item in enumerate(items, 1):
+        yield item
+        if not number % _MANY:
+            yield None
