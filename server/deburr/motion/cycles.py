@@ -46,10 +46,13 @@ def hole(code: int, place: tuple[float, float], levels: Levels, words: Words) ->
     match code:
         case 730 | 830:
             yield from _pecks(code, place, levels, words.peck)
-        case 850 | 890:
+        case 850:
             yield Kind.FEED, bottom
-            if code == 890:
-                yield Happening.DWELL, words.dwell
+            yield Kind.FEED, (*place, levels.retract)
+            yield Kind.RAPID, clear
+        case 890:
+            yield Kind.FEED, bottom
+            yield Happening.DWELL, words.dwell
             yield Kind.FEED, clear
         case 860 | 880:
             yield Kind.FEED, bottom

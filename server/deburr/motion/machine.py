@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from deburr.expand.rs274.axes import AXES
 from deburr.expand.rs274.modes import GROUP_OF, Modes
 from deburr.expand.rs274.position import AXIS_CODES, CYCLES, MOVELESS
-from deburr.motion import splines
+from deburr.motion import splines, threads
 from deburr.motion.mover import LENGTHS, Mover
 from deburr.motion.offsets import SYSTEMS
 from deburr.motion.path import Flag, Happening, Kind
@@ -33,6 +33,8 @@ _PROBES = frozenset((382, 383, 384, 385))
 _KNOWN_G = frozenset((40, 530, 281, 301, 921, 922, 923, *AXIS_CODES))
 _KNOWN_M = frozenset((*range(3), *range(3, 10), 19, 30, 48, 49, *range(50, 54), 60, 61, *range(62, 69), *range(70, 74)))
 _LETTERS = frozenset((*AXES, *"@^GMNFSTIJKRPQLHDEO"))
+_CONTOURS = frozenset((700, 710, 711, 712, 720, 721, 722))
+"""Cycles along a contour, in passes that only the control knows."""
 _STOPS = {0: 0.0, 10: 1.0, 600: 60.0}
 _ENDS = {20: 2.0, 300: 30.0}
 
@@ -55,6 +57,8 @@ class Machine:
         self._selected = self._loaded = 0
         self._easy = self._is_easy()
         self.ended = False
+        self._saved: Modes | None = None
+        """What M70 or M73 saved."""
 
     def line(self, text: str, flat: int) -> None:
         """A line of the flat program (0-based)."""
@@ -135,7 +139,13 @@ class Machine:
         modes.take(codes, words)
         gs = {code for letter, code in codes if letter == "G"}
         ms = {code for letter, code in codes if letter == "M"}
+        if ms & {700, 730}:
+            self._saved = before
+        for line in modes.restoring(self._saved) if 720 in ms and self._saved is not None else ():
+            self._any(line, flat)
         self._say_unknown(gs, ms, flat)
+        if self._form.simulate and modes.unit != before.unit:
+            mover.switch(modes.unit / before.unit)
         if "F" in words or modes.g["feed"] != before.g["feed"]:
             mover.feed = modes.feed * (1.0 if modes.g["feed"] == 930 else modes.unit)
         self._switched(before, words, ms, flat)
@@ -149,6 +159,10 @@ class Machine:
             self._non_modal(gs, words, flat)
         elif not gs & MOVELESS:
             self._move(words, flat, any(GROUP_OF.get(code) == "motion" for code in gs), 530 in gs)
+        elif gs & _CONTOURS:
+            mover.unknown.update((0, 2))
+        if self._form.simulate and 60 in ms:
+            mover.read_back()
         for code in ms & _STOPS.keys():
             self._recorder.event(flat, Happening.STOP, _STOPS[code])
         for code in ms & _ENDS.keys():
@@ -156,7 +170,7 @@ class Machine:
             self.ended = True
 
     def _say_unknown(self, gs: set[int], ms: set[int], flat: int) -> None:
-        for code in sorted(gs - GROUP_OF.keys() - _KNOWN_G):
+        for code in sorted((gs - GROUP_OF.keys() - _KNOWN_G) | gs & _CONTOURS):
             self._recorder.note(flat, f"G{code / 10:g} is not followed")
         for code in sorted(ms):
             if code // 10 not in _KNOWN_M:
@@ -317,13 +331,13 @@ class Machine:
                 mover.go(Kind.THREAD, target, flat)
                 mover.go(Kind.THREAD, start, flat)
             case _ if motion in _PROBES:
-                mover.go(Kind.PROBE, target, flat)
+                mover.probe(target, flat, self._form.simulate)
                 self._recorder.note(flat, "a probe ends where it meets something; it is shown as far as it may go")
             case 50 | 51:
                 for point in splines.points(motion, mover.at, target, words, modes.unit):
                     mover.go(Kind.FEED, point, flat)
             case 760:
-                self._recorder.note(flat, "G76 is not followed")
+                self._thread(target, words, flat)
             case _:
                 mover.go(Kind.FEED, target, flat)
                 self._recorder.note(flat, f"G{motion / 10:g} is shown as a straight move")
@@ -343,21 +357,43 @@ class Machine:
             return
         mover.arc(target, plane, said, clockwise, flat)
 
+    def _thread(self, target: Coordinates, words: Mapping[str, float], flat: int) -> None:
+        mover, unit, say = self._mover, self._modes.unit, words.get
+        across = unit / 2 if self._modes.g["lathe"] == 70 else unit
+        thread = threads.Thread(
+            (mover.at[0], mover.at[2]),
+            target[2],
+            say("I", 0.0) * across,
+            say("J", 0.0) * across,
+            say("K", 0.0) * across,
+            say("R", 1.0),
+            say("Q", 0.0),
+            round(say("H", 0.0)),
+            max(say("E", 0.0), 0.0) * unit,
+            round(say("L", 0.0)),
+        )
+        if not thread.first:
+            self._recorder.note(flat, "G76 without a first pass (J) is not followed")
+            return
+        for kind, x, z in threads.steps(thread):
+            mover.go(kind, [x, mover.at[1], z, *mover.at[3:]], flat, Flag.CYCLE)
+
     def _drill(self, motion: int, given: Mapping[int, float], words: Mapping[str, float], flat: int) -> None:
         modes, mover = self._modes, self._mover
         if modes.g["plane"] % 10:
             self._recorder.note(flat, f"G{motion / 10:g} is not followed in a plane of U, V, W")
             return
-        target = [given.get(axis, 0.0) for axis in range(9)]
-        placed = dict(given)
-        if "@" in words or "^" in words:
-            absolute = modes.g["distance"] == 900
-            mover.polar(target, words, modes.unit, absolute)
-            placed |= {axis: target[axis] - (0.0 if absolute else mover.at[axis]) for axis in (0, 1)}
+        placed, turned = dict(given), (0.0, 0.0)
+        if ("@" in words or "^" in words) and modes.g["distance"] == 900:
+            target = mover.at.copy()
+            mover.polar(target, words, modes.unit, True)
+            placed |= {0: target[0], 1: target[1]}
+        elif "@" in words or "^" in words:
+            turned = (words.get("@", 0.0) * modes.unit, words.get("^", 0.0))
         said = {letter: words[letter] * modes.unit for letter in "RQIJK" if letter in words}
         said |= {letter: words[letter] for letter in "PL" if letter in words}
         mover.named(tuple(given))
-        mover.drill(motion, said, placed, flat)
+        mover.drill(motion, said, placed, flat, turned)
 
 
 _SCALED = LENGTHS | frozenset("IJKR")

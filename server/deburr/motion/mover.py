@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.axes import AXES, LINEAR
+from deburr.expand.rs274.position import PROBE_SHORT
 from deburr.motion import cycles
 from deburr.motion.arcs import AXES_OF, centre_by_radius
 from deburr.motion.offsets import Coordinates, Offsets
@@ -34,6 +35,8 @@ class Mover:
         self.feed = 0.0
         self.unknown = set[int]()
         """Axes of which only the machine knows where they are."""
+        self._then = self.offsets.tool
+        """The tool's length at the last move, for all that the stand-alone interpreter's machine knows."""
         self._width = 3
         self._level: float | None = None
         """Where the first of a row of canned cycles began, along the drilled axis."""
@@ -42,9 +45,10 @@ class Mover:
     def go(self, kind: int, target: Coordinates, flat: int, flags: int = 0) -> None:
         """A straight move, or none that is seen in X and Y."""
         start, self.at = self.at, target
-        if self._width == 3 and target[3:] != _STILL:
-            self._width = 9
+        self._then = self.offsets.tool
         base = self.offsets.straight
+        if self._width == 3 and (target[3:] != _STILL or (base or _MOVED)[3:] != _STILL):
+            self._width = 9
         end = self.offsets.machine(target) if base is None else [a + b for a, b in zip(target[: self._width], base)]
         flags |= self.flags
         if self.unknown:
@@ -84,7 +88,23 @@ class Mover:
         tip = [a + b - c for a, b, c in zip(self.offsets.machine(self.at), self.offsets.tool, tool)]
         self.offsets.tool = tool
         self._recorder.length(flat, tool[:3])
+        then = self._then
         self.go(Kind.SHIFT, self.offsets.program(tip), flat)
+        self._then = then
+
+    def read_back(self) -> None:
+        """The stand-alone interpreter asks its machine where it is, which has not heard of tool lengths since it last moved."""
+        tool = self.offsets.tool
+        if self._then != tool:
+            tip = self.offsets.machine(self.at)
+            self.at = self.offsets.program([a + b - c for a, b, c in zip(tip, tool, self._then)])
+            self._then = tool
+
+    def switch(self, factor: float) -> None:
+        """Its machine takes a tool's length for as many of the new unit, which is so many times as large."""
+        self.offsets.tool = [
+            value * factor if axis in LINEAR else value for axis, value in enumerate(self.offsets.tool)
+        ]
 
     def stay(self, tip: Coordinates) -> None:
         """Offsets have changed: the same tip has other coordinates."""
@@ -92,7 +112,10 @@ class Mover:
 
     def home(self, place: Coordinates, axes: Sequence[int], flat: int) -> None:
         """To a place in the machine along some axes."""
-        self.go(Kind.RAPID, self.in_machine(place, axes), flat)
+        target, there = self.at.copy(), self.offsets.program([a - b for a, b in zip(place, self.offsets.tool)])
+        for axis in axes:
+            target[axis] = there[axis]
+        self.go(Kind.RAPID, target, flat)
 
     def in_machine(self, place: Coordinates, axes: Sequence[int]) -> Coordinates:
         """The point of the program where the machine is at a place, along some axes."""
@@ -105,13 +128,25 @@ class Mover:
         """`@` and `^` are a radius and an angle about the origin, or by how much both change."""
         if "@" not in words and "^" not in words:
             return
+        if not absolute:
+            target[:2] = _turned((self.at[0], self.at[1]), words.get("@", 0.0) * unit, words.get("^", 0.0))
+            return
         radius, angle = math.hypot(self.at[0], self.at[1]), math.degrees(math.atan2(self.at[1], self.at[0]))
-        if absolute:
-            radius = words["@"] * unit if "@" in words else radius
-            angle = words.get("^", angle)
-        else:
-            radius, angle = radius + words.get("@", 0.0) * unit, angle + words.get("^", 0.0)
-        target[0], target[1] = radius * math.cos(math.radians(angle)), radius * math.sin(math.radians(angle))
+        radius = words["@"] * unit if "@" in words else radius
+        angle = math.radians(words.get("^", angle))
+        target[:2] = radius * math.cos(angle), radius * math.sin(angle)
+
+    def probe(self, target: Coordinates, flat: int, simulate: bool) -> None:
+        """Towards a point. ``simulate``: as the stand-alone interpreter has it, it meets something just before."""
+        if simulate:
+            self.read_back()
+        start = self.at
+        self.go(Kind.PROBE, target, flat)
+        self.unknown.update(axis for axis in range(9) if start[axis] != target[axis])
+        way = math.dist(start[:3], target[:3])
+        if simulate and way:
+            part = max(0.0, 1 - PROBE_SHORT / way)
+            self.at = [a + (b - a) * part for a, b in zip(start, target)]
 
     def left_cycles(self) -> None:
         """Another motion than a canned cycle."""
@@ -119,8 +154,18 @@ class Mover:
             self._level = None
             self._sticky.clear()
 
-    def drill(self, code: int, words: Mapping[str, float], given: Mapping[int, float], flat: int) -> None:
-        """A canned cycle. ``words``: R, Q, I, J, K in mm, P in seconds, L; ``given``: the axes, absolute or in steps as the mode has it."""
+    def drill(
+        self,
+        code: int,
+        words: Mapping[str, float],
+        given: Mapping[int, float],
+        flat: int,
+        turned: tuple[float, float] = (0.0, 0.0),
+    ) -> None:
+        """A canned cycle. ``words``: R, Q, I, J, K in mm, P in seconds, L; ``given``: the axes, absolute or in steps as the mode has it.
+
+        ``turned``: by how much radius (mm) and angle (degrees) about the origin grow from hole to hole.
+        """
         modes = self._modes
         first, second, across = AXES_OF[modes.g["plane"] // 10]
         absolute = modes.g["distance"] == 900
@@ -150,6 +195,7 @@ class Mover:
                 place = (given.get(first, place[0]), given.get(second, place[1]))
             else:
                 place = (place[0] + given.get(first, 0.0), place[1] + given.get(second, 0.0))
+                place = _turned(place, *turned) if any(turned) else place
             height = now if count == 0 and now > retract else levels.clear
             self._cycle_move(Kind.RAPID, (*place, height), flat)
             if height > retract:
@@ -176,6 +222,14 @@ class Mover:
         self._recorder.event(flat, what, value)
 
 
+def _turned(place: tuple[float, float], radius: float, angle: float) -> tuple[float, float]:
+    """A point further out by a radius, and turned about the origin by an angle in degrees."""
+    out = math.hypot(*place) + radius
+    way = math.atan2(place[1], place[0]) + math.radians(angle)
+    return out * math.cos(way), out * math.sin(way)
+
+
 _STILL = [0.0] * 6
+_MOVED = [1.0] * 9
 LENGTHS = frozenset(AXES[axis] for axis in LINEAR)
 """Letters of axes that are measured as lengths."""
