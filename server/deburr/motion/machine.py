@@ -324,12 +324,11 @@ class Machine:
                 mover.go(Kind.FEED if motion else Kind.RAPID, target, flat)
             case 20 | 30:
                 self._arc(target, words, motion == 20, flat)
-            case 330:
-                mover.go(Kind.THREAD, target, flat)
-            case 331:
-                start = mover.at.copy()
-                mover.go(Kind.THREAD, target, flat)
-                mover.go(Kind.THREAD, start, flat)
+            case 330 | 331:
+                start, pitch = mover.at.copy(), words.get("K", 0.0) * modes.unit
+                mover.go(Kind.THREAD, target, flat, pitch=pitch)
+                if motion == 331:
+                    mover.go(Kind.THREAD, start, flat, pitch=pitch)
             case _ if motion in _PROBES:
                 mover.probe(target, flat, self._form.simulate)
                 self._recorder.note(flat, "a probe ends where it meets something; it is shown as far as it may go")
@@ -376,7 +375,8 @@ class Machine:
             self._recorder.note(flat, "G76 without a first pass (J) is not followed")
             return
         for kind, x, z in threads.steps(thread):
-            mover.go(kind, [x, mover.at[1], z, *mover.at[3:]], flat, Flag.CYCLE)
+            pitch = say("P", 0.0) * unit if kind is Kind.THREAD else None
+            mover.go(kind, [x, mover.at[1], z, *mover.at[3:]], flat, Flag.CYCLE, pitch)
 
     def _drill(self, motion: int, given: Mapping[int, float], words: Mapping[str, float], flat: int) -> None:
         modes, mover = self._modes, self._mover

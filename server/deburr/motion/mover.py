@@ -42,8 +42,8 @@ class Mover:
         """Where the first of a row of canned cycles began, along the drilled axis."""
         self._sticky: dict[str, float] = {}
 
-    def go(self, kind: int, target: Coordinates, flat: int, flags: int = 0) -> None:
-        """A straight move, or none that is seen in X and Y."""
+    def go(self, kind: int, target: Coordinates, flat: int, flags: int = 0, pitch: float | None = None) -> None:
+        """A straight move, or as an arc goes. ``pitch``: mm a revolution, in place of the feed."""
         start, self.at = self.at, target
         self._then = self.offsets.tool
         base = self.offsets.straight
@@ -55,7 +55,10 @@ class Mover:
             flags |= Flag.ASSUMED
         if start[0] != target[0] or start[1] != target[1]:
             flags |= Flag.SIDEWAYS
-        self._recorder.move(kind, flags, end[: self._width], flat, self.feed)
+        feed = self.feed
+        if pitch is not None:
+            feed, flags = pitch, flags & ~Flag.INVERSE | Flag.PER_REVOLUTION
+        self._recorder.move(kind, flags, end[: self._width], flat, feed)
 
     def named(self, axes: Sequence[int]) -> None:
         """These axes are moved to places that the program says."""

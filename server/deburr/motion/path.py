@@ -33,7 +33,7 @@ class Kind(IntEnum):
     PROBE = 3
     """G38: at the feed, as far as the program wants to go."""
     THREAD = 4
-    """G33, G33.1, G76: bound to the spindle; its feed is in millimetres a revolution."""
+    """G33, G33.1, G76, and tapping: bound to the spindle."""
     SHIFT = 5
     """No motion: from here on another point is the tip, since another tool length holds. Not to be drawn, of no length."""
 
