@@ -124,6 +124,7 @@ class Kind(Enum):
     PATHS = "a list of files or folders"
     FLAG = "true or false"
     WIDTH = "a number of blanks"
+    NUMBER = "a number"
 
 
 class Setting(NamedTuple):

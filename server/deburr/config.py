@@ -6,6 +6,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from deburr.finding import Severity
+from deburr.machine import MACHINE
 from deburr.rule import Rule
 from deburr.ruleset import RuleSet
 from deburr.schema import CHECK, HINTS, LENSES
@@ -142,12 +143,17 @@ def made(dialect: Dialect, config: Config, ignored: Sequence[str] = ()) -> RuleS
         return selected(rule, layers, ignored)
 
     severities = {name: severity for name, severity in graded.items() if severity is not None}
-    return RuleSet(dialect, settings_of(dialect, config), on, severities)
+    return RuleSet(dialect, settings_of(dialect, config), on, severities, machine_of(config))
 
 
 def settings_of(dialect: Dialect, config: Config) -> dict[str, Any]:
     """The dialect's own settings."""
     return {setting.name: config.get(dialect.name, setting).value for setting in dialect.settings}
+
+
+def machine_of(config: Config) -> dict[str, Any]:
+    """What is said of the machine; empty: nothing is."""
+    return {each.name: value.value for each in MACHINE if (value := config.values.get(f"machine.{each.name}"))}
 
 
 def from_command_line(values: Mapping[str, Any], selection: Selection) -> Config:

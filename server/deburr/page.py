@@ -14,6 +14,7 @@ from deburr_grammar.dialect import Dialect
 
 CARETS = re.compile(r"[ ]*\^+(?:[ ]+\^+)*[ ]*")
 _PLACEHOLDER = re.compile(r"\{(?:\(|\)|dialect|[^{}\s]\*[0-9]+)\}")
+_COMMA = re.compile(r",(?![^{}]*\})")
 _BLOCK = re.compile(r"^(Bad|Good)(?: \(([^)]*)\))?:\n\n?((?:(?:    .*)?\n)+)", re.M)
 
 
@@ -82,7 +83,7 @@ def spelled(text: str, dialect: Dialect, short: bool) -> str:
 
 
 def _block(match: re.Match[str]) -> Block:
-    options = tuple(option.strip() for option in (match[2] or "").split(",") if option.strip())
+    options = tuple(option.strip() for option in _COMMA.split(match[2] or "") if option.strip())
     return Block(match[1] == "Good", options, tuple(line[4:] for line in match[3].rstrip("\n").split("\n")))
 
 

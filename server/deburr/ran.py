@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.expand import Budget, Inputs, Job, Program, drive, interpreter
+from deburr.expand import Budget, Inputs, Job, Kept, Program, SourceMap, drive, interpreter
 from deburr.fault import Entered
 from deburr.finding import Finding, Place, Related, Severity
 from deburr.rule import Report
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 BLOCKS = 200_000
 """Executed blocks after which a run that only checks is left."""
-_SHOWN = 10
+SHOWN = 10
 """Calls and loops that a finding lists."""
 _SAID = {
     Entered.CALL: "called here",
@@ -63,16 +63,24 @@ def running(
     module = interpreter(analysis.dialect.name)
     inputs = inputs or analysis.inputs
     # Values that were given are judged even where no line reads one.
-    if module is None or not (inputs.define or module.worth_running(analysis.document)):
+    moves = bool(analysis.ruleset.on_moves)
+    if module is None or not (inputs.define or moves or module.worth_running(analysis.document)):
         return
     program = Program(analysis.file, analysis.document)
-    job = Job((program,), analysis.ruleset, analysis.host, _Nowhere(), inputs, Budget(blocks, 0))
+    kept, source_map = (Kept(), SourceMap()) if moves else (None, None)
+    sink = kept or _Nowhere()
+    job = Job((program,), analysis.ruleset, analysis.host, sink, inputs, Budget(blocks, 0), source_map)
     yield from drive(job)
     for fault in job.faults:
         if fault.given:
             raise Misgiven(fault.message)
     for fault in job.faults[:-1] if job.cut else job.faults:
         yield from _reported(fault, analysis)
+    if kept is not None and source_map is not None:
+        # Only a machine that is described pays for its moves.
+        from deburr.moved import moved
+
+        yield from moved(analysis, kept.lines, source_map, inputs.simulate)
     if stopped is not None and job.halted and (job.cut or _silent(job.faults[-1], analysis)):
         last = job.faults[-1]
         stopped(Stop(last.file, last.line, last.message))
@@ -84,16 +92,21 @@ def worded(fault: Fault, ruleset: RuleSet, line: str) -> Finding:
     assert rule is not None, f"a run met `{fault.kind}`, of which there is no rule"
     report = next(iter(rule.met(fault))) if rule.met is not None else Report(fault.span, fault.message)
     start, end = report.span
-    if start == end:
-        start, end = len(line) - len(line.lstrip()), max(len(line.rstrip()), 1)
-    place = Place(fault.file, fault.line, start, fault.line, end)
+    place = (
+        Place(fault.file, fault.line, start, fault.line, end) if start != end else all_of(fault.file, fault.line, line)
+    )
     return Finding(rule.name, ruleset.severity(rule), report.message, place, tuple(_stack(fault.stack)))
+
+
+def all_of(file: str, row: int, line: str) -> Place:
+    """All of a line but the blanks around."""
+    return Place(file, row, len(line) - len(line.lstrip()), row, max(len(line.rstrip()), 1))
 
 
 def _reported(fault: Fault, analysis: Analysis) -> Iterator[Finding]:
     rule = analysis.ruleset.named(fault.kind)
     if rule in analysis.ruleset.rules and not _silent(fault, analysis):
-        yield worded(fault, analysis.ruleset, _line(fault, analysis))
+        yield worded(fault, analysis.ruleset, line_of(fault.file, fault.line, analysis))
 
 
 def _silent(fault: Fault, analysis: Analysis) -> bool:
@@ -102,18 +115,23 @@ def _silent(fault: Fault, analysis: Analysis) -> bool:
     return fault.input or (rule is not None and rule.input)
 
 
-def _line(fault: Fault, analysis: Analysis) -> str:
-    if fault.file == analysis.file:
-        return analysis.document.line(fault.line)
-    lines = (analysis.host.read(fault.file) or "").split("\n")
-    return lines[fault.line] if fault.line < len(lines) else ""
+def line_of(file: str, row: int, analysis: Analysis) -> str:
+    """The text of a line of the program or of a file that it reads."""
+    if file == analysis.file:
+        return analysis.document.line(row)
+    lines = (analysis.host.read(file) or "").split("\n")
+    return lines[row] if row < len(lines) else ""
 
 
 def _stack(stack: Frame | None) -> Iterator[Related]:
     """The calls, files and loop passes around a fault, innermost first."""
-    for frame in islice(stack.outward(), _SHOWN) if stack is not None else ():
-        place = Place(frame.file, frame.row, 0, frame.row, 0)
-        yield Related(place, _SAID[frame.kind].format(frame.number), entered=True)
+    for frame in islice(stack.outward(), SHOWN) if stack is not None else ():
+        yield around(frame.file, frame.row, frame.kind, frame.number)
+
+
+def around(file: str, row: int, kind: Entered, number: int) -> Related:
+    """A call, file or loop pass as a related place."""
+    return Related(Place(file, row, 0, row, 0), _SAID[kind].format(number), entered=True)
 
 
 def before_a_run(found: Iterable[Finding], dialect: Dialect, programs: int = 1) -> list[Finding]:

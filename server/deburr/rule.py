@@ -26,6 +26,7 @@ __all__ = [
     "Line",
     "Long",
     "Modal",
+    "Moved",
     "Nodes",
     "Note",
     "Notice",
@@ -168,6 +169,17 @@ class Noticed(NamedTuple):
     """The rule is called for each notice of its own name: `check(notice)`; reports must name a line."""
 
 
+class Moved(NamedTuple):
+    """The rule is called with the moves of a run (deburr/motion): `check(path, machine)`; the lines of its reports are those of the flat program.
+
+    ``needs``: the key of `[machine]` without which the rule is silent, or which may be false;
+    ``unless_said``: what that key means in a `[machine]` that does not have it. Without `[machine]` all are silent.
+    """
+
+    needs: str
+    unless_said: bool | None = None
+
+
 class Ran(NamedTuple):
     """The rule is called for each fault of its own name that a run met: `check(fault)`. What can be seen without a run is no matter for it."""
 
@@ -176,7 +188,7 @@ class Proven(NamedTuple):
     """The rule is called for each proof of its own name that values give for all inputs (deburr/values): `check(proof)`. Other rules own proofs as well, in the proof's words."""
 
 
-Trigger = Syntax | Nodes | Modal | Text | Long | Structure | Whole | Noticed | Ran | Proven
+Trigger = Syntax | Nodes | Modal | Text | Long | Structure | Whole | Noticed | Moved | Ran | Proven
 Check = Callable[..., Iterator[Report]]
 
 

@@ -13,6 +13,7 @@ from deburr.rule import (
     Line,
     Long,
     Modal,
+    Moved,
     Nodes,
     Noticed,
     Report,
@@ -76,8 +77,11 @@ class RuleSet:
         settings: Mapping[str, Any] | None = None,
         selected: Callable[[Rule], bool] = lambda rule: rule.default,
         severities: Mapping[str, Severity] | None = None,
+        machine: Mapping[str, Any] | None = None,
     ) -> None:
         self.dialect = dialect
+        self.machine: Mapping[str, Any] = machine or {}
+        """What `[machine]` says, key by key; what is not said is not there."""
         defaults = {setting.name: setting.default for setting in dialect.settings}
         self.settings: Mapping[str, Any] = {**defaults, **(settings or {})}
         self._all = rules_of(dialect.name)
@@ -191,6 +195,16 @@ class RuleSet:
     def stateful(self) -> Stateful | None:
         """The rules on modal state along a program's lines; None if none is on."""
         return stateful_of(self)
+
+    @cached_property
+    def on_moves(self) -> tuple[Rule, ...]:
+        """Rules on the moves of a run that the machine's settings call for."""
+        triggers = ((rule, rule.trigger) for rule in self.rules if self.machine)
+        return tuple(rule for rule, trigger in triggers if isinstance(trigger, Moved) and self._needs(trigger))
+
+    def _needs(self, trigger: Moved) -> bool:
+        said = self.machine.get(trigger.needs, trigger.unless_said)
+        return said is not None and said is not False
 
     @cached_property
     def on_notice(self) -> Mapping[str, Rule]:

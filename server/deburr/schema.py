@@ -1,8 +1,10 @@
 """What may stand in `deburr.toml`: the fixed tables, the dialects' own, and what is wrong with a given file. Never reads one."""
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
+from deburr.machine import MACHINE
 from deburr.selection import unknown
 from deburr.suggest import suggestion
 from deburr_grammar.dialect import Kind, Setting
@@ -45,9 +47,6 @@ WIDEST = 16
 """The most that a setting of a width can be."""
 
 
-UNCHECKED = {"machine": "limits of axes are not checked yet; leave [machine] out, so that nobody relies on it"}
-"""Tables that one may expect and that nothing would follow, with what is said of them: a promise that is not kept is worse than none."""
-
 Path = tuple[str, ...]
 
 
@@ -75,6 +74,7 @@ def tables() -> dict[Path, tuple[Setting, ...] | Free]:
     }
     found |= {("format",): FORMAT}
     found |= {(name,): by_name(name).settings for name in NAMES}
+    found |= {("machine",): MACHINE}
     editor = {("editor",): (), ("editor", "inlay-hints"): HINTS, ("editor", "code-lens"): LENSES}
     return found | editor
 
@@ -86,8 +86,6 @@ def faults(data: Mapping[str, Any]) -> Iterator[Fault]:
     for key, value in data.items():
         if (key,) in known:
             yield from _table((key,), value, known)
-        elif key in UNCHECKED:
-            yield Fault((key, *list(value)[:1]) if isinstance(value, Mapping) else (key,), UNCHECKED[key])
         else:
             yield from _setting((), key, value, TOP, (*(setting.name for setting in TOP), *sorted(below)))
 
@@ -145,6 +143,9 @@ def wrong(setting: Setting, value: Any) -> str:
         case Kind.WIDTH:
             good = isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= WIDEST
             return "" if good else f"must be a number from 0 to {WIDEST}, not {_said(value)}"
+        case Kind.NUMBER:
+            good = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+            return "" if good else f"must be a number, not {_said(value)}"
         case Kind.TEXT | Kind.PATH:
             return "" if isinstance(value, str) else f"must be a text, not {_kind(value)}"
 

@@ -137,7 +137,7 @@ def test_what_check_does_not_load(shell):
 
 def test_the_schema_knows_every_table():
     properties = schema()["properties"]
-    assert set(properties) == {"extend", "files", "check", "format", "editor", *NAMES}
+    assert set(properties) == {"extend", "files", "check", "format", "editor", "machine", *NAMES}
     assert set(properties["check"]["properties"]) == {
         "select",
         "extend-select",

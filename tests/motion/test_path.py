@@ -42,6 +42,7 @@ def test_a_move_knows_its_line_feed_and_tool() -> None:
         pytest.param("G43.1 Z20\nG0 Z5\nG49\nG0 X1", [(0, 0, -20), (0, 0, 5), (0, 0, 25), (1, 0, 25)], id="tool length"),
         pytest.param("G7\nG0 X10 Z1", [(5, 0, 1)], id="diameter"),
         pytest.param("G0 X0 Y1\n@2 ^0", [(0, 1, 0), (2, 0, 0)], id="polar"),
+        pytest.param("#1=5 (to be changed)\nG0 Z#1\nX-#1", [(0, 0, 5), (-5, 0, 5)], id="parameters that are left"),
         pytest.param("G1 X1 F1\nM2\nG1 X2", [(1, 0, 0)], id="nothing behind the end"),
     ],
 )  # fmt: skip

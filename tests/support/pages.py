@@ -1,8 +1,9 @@
 """Rule pages as tests: the `Bad:` and `Good:` blocks of a rule's docstring with what they must give."""
 
 import re
+import tomllib
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from deburr import source
 from deburr.analysis import Analysis
@@ -16,6 +17,7 @@ from deburr.ruleset import RuleSet
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.document import Document
 
+_MACHINE = "machine."
 _FILE = re.compile(r"^-- (.+) --$")
 BYTES = str.maketrans({"␀": "\0", "␚": "\x1a", "␍": "\r", "⚑": "\ufeff"})
 """Pictures of what cannot be seen."""
@@ -31,28 +33,33 @@ class Example:
     settings: Mapping[str, object]
     places: tuple[tuple[int, int, int], ...]
     elsewhere: tuple[tuple[str, int, int, int], ...] = ()
+    machine: Mapping[str, object] = field(default_factory=dict)
 
 
 def examples(rule: Rule, dialect: Dialect) -> Iterator[Example]:
     """All blocks of a rule's page.
 
     `Bad (whole):` is a program of its own, without the dialect's frame; `Bad (profile=smithy):`
-    sets a setting; a value with `|` is a list. A line `-- NAME --` starts another file.
+    sets a setting, `Bad (machine.z-safe=2):` one of the machine; a value with `|` is a list. A line `-- NAME --` starts another file.
     In a whole program `{}` is the frame with nothing in it; `␀`, `␚` and `␍` stand for the bytes that they are pictures of, `⚑` for a byte order mark.
     """
     for block in page_of(rule, dialect, short=False).blocks:
         frame = "{}" if "whole" in block.options else dialect.frame
         bare = dialect.frame.replace("{}\n", "").replace("{}", "").removesuffix("\n")
         lines = [line.replace("{}", bare) for line in block.lines]
-        settings = dict(option.split("=", 1) for option in block.options if "=" in option)
-        yield _example(block.good, lines, frame, {name: _value(said) for name, said in settings.items()})
+        said = dict(option.split("=", 1) for option in block.options if "=" in option)
+        machine = {name.removeprefix(_MACHINE): said.pop(name) for name in list(said) if name.startswith(_MACHINE)}
+        described = tomllib.loads("\n".join(f"{name} = {value}" for name, value in machine.items()))
+        yield _example(block.good, lines, frame, {name: _value(value) for name, value in said.items()}, described)
 
 
 def _value(said: str) -> object:
     return said.split("|") if "|" in said else said
 
 
-def _example(good: bool, lines: Sequence[str], frame: str, settings: Mapping[str, object]) -> Example:
+def _example(
+    good: bool, lines: Sequence[str], frame: str, settings: Mapping[str, object], machine: Mapping[str, object]
+) -> Example:
     files: dict[str, list[str]] = {"": []}
     places: list[tuple[int, int, int]] = []
     elsewhere: list[tuple[str, int, int, int]] = []
@@ -71,7 +78,7 @@ def _example(good: bool, lines: Sequence[str], frame: str, settings: Mapping[str
             files[current] += line.split("\n")
     program = frame.replace("{}", "\n".join(files.pop(""))).translate(BYTES)
     texts = {name: "\n".join(text) + "\n" for name, text in files.items()}
-    return Example(good, program, texts, settings, tuple(places), tuple(elsewhere))
+    return Example(good, program, texts, settings, tuple(places), tuple(elsewhere), machine)
 
 
 class MemoryHost:
@@ -94,7 +101,8 @@ def checked(
     """What all default rules of the dialect, or those that are selected, say of an example."""
     program = source.read(example.program.encode())
     assert isinstance(program, source.Source)
-    return check(program, dialect, RuleSet(dialect, example.settings, selected), "", MemoryHost(example.files), ran)
+    ruleset = RuleSet(dialect, example.settings, selected, machine=example.machine)
+    return check(program, dialect, ruleset, "", MemoryHost(example.files), ran)
 
 
 def refused(

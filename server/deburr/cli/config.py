@@ -76,7 +76,7 @@ def _settings(path: tuple[str, ...], schema: tuple[Setting, ...], config: Config
         found = _rules(setting, config) if path == ("check",) else None
         value, origin = found or config.get(".".join(path), setting)
         if value is None:
-            yield f"# {setting.name}: the default set"
+            yield f"# {setting.name}: {'the default set' if path == ('check',) else 'not set'}"
         else:
             yield f"{setting.name} = {toml(value)}  # {origin or 'default'}"
 

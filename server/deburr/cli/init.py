@@ -8,13 +8,15 @@ from deburr.cli.common import unable
 from deburr.cli.config import toml
 from deburr.configfile import FILE
 from deburr.schema import TOP, Free, tables
-from deburr_grammar.dialect import Setting
+from deburr_grammar.dialect import Kind, Setting
 
 EXAMPLES = {
     ("files",): '"posts/**/*.txt" = "DIALECT"',
     ("check", "severity"): '"DIALECT.RULE" = "warning"',
     ("check", "per-file-ignores"): '"legacy/**" = ["DIALECT"]',
 }
+_UNSET = {Kind.NUMBER: 5}
+"""What stands for a setting that has no default."""
 _HEAD = "# Configuration of deburr. What is commented out is the default; `deburr config FILE` prints what holds for a file."
 
 
@@ -58,4 +60,4 @@ def _settings(schema: tuple[Setting, ...]) -> Iterator[str]:
     for setting in schema:
         choices = f": {', '.join(setting.choices)}" if setting.choices else ""
         yield f"# {setting.text}{choices}"
-        yield f"# {setting.name} = {toml([] if setting.default is None else setting.default)}"
+        yield f"# {setting.name} = {toml(_UNSET.get(setting.kind, []) if setting.default is None else setting.default)}"

@@ -127,6 +127,7 @@ def _value(setting: Setting) -> dict[str, Any]:
         Kind.TABLE: {"type": "object"},
         Kind.FLAG: {"type": "boolean"},
         Kind.WIDTH: {"type": "integer", "minimum": 0, "maximum": WIDEST},
+        Kind.NUMBER: {"type": "number"},
     }
     default = {} if setting.default is None else {"default": _plain(setting.default)}
     return {"description": setting.text, **types[setting.kind], **default}

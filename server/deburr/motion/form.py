@@ -4,6 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from deburr.expand.rs274.modes import MM_PER_INCH
+from deburr.machine import of_machine
+
+if TYPE_CHECKING:
+    from deburr.host import Host
+    from deburr.ruleset import RuleSet
 
 
 @dataclass(frozen=True)
@@ -26,3 +34,29 @@ class Form:
     """Stored parameters by number: offsets of work systems (5221 and up), G92 (5210), homes (5161, 5181); none: not known."""
     simulate: bool = False
     """Whether what only the machine knows is answered as the stand-alone interpreter does."""
+
+
+def form_of(ruleset: RuleSet, host: Host, simulate: bool = False) -> Form:
+    """How the machine reads that is configured, with the tools and stored parameters of the dialect's settings.
+
+    ``simulate``: as the stand-alone interpreter does, whose own unit is the inch (spec/rs274.md §4).
+    """
+    from deburr.formats import parameters, tools
+
+    machine = ruleset.machine
+    unit = MM_PER_INCH if of_machine(machine, "unit") == "inch" else 1.0
+    return Form(
+        unit=unit,
+        arc_absolute=of_machine(machine, "arc-center") == "absolute",
+        diameter=of_machine(machine, "diameter"),
+        step=of_machine(machine, "step"),
+        tools=tools.read(_text(ruleset, host, "tool-table")).words,
+        tool_unit=MM_PER_INCH if simulate else unit,
+        stored=parameters.read(_text(ruleset, host, "parameters")).values,
+        simulate=simulate,
+    )
+
+
+def _text(ruleset: RuleSet, host: Host, setting: str) -> str:
+    path = ruleset.settings.get(setting)
+    return (host.read(path) or "") if path else ""

@@ -85,7 +85,7 @@ class Machine:
         if "F" in words:
             self._modes.feed = words["F"]
             mover.feed = words["F"] * unit
-        if mover.unknown or named:
+        if named:
             self._move(words, flat, named)
             return True
         target = mover.at.copy()
@@ -95,11 +95,13 @@ class Machine:
         if motion >= 20:
             self._move(words, flat, named)
         elif not words.keys().isdisjoint("XYZ"):
+            if mover.unknown:
+                mover.named(axis for axis, letter in enumerate("XYZ") if letter in words)
             mover.go(Kind.FEED if motion else Kind.RAPID, target, flat)
         return True
 
     def _any(self, text: str, flat: int) -> None:
-        said = all_of(text)
+        said = all_of(text, self._stored)
         for at, value in said.settings:
             self._set(int(at), number(value))
         if said.rest:
@@ -160,7 +162,7 @@ class Machine:
         elif not gs & MOVELESS:
             self._move(words, flat, any(GROUP_OF.get(code) == "motion" for code in gs), 530 in gs)
         elif gs & _CONTOURS:
-            mover.unknown.update((0, 2))
+            mover.lose((0, 2))
         if self._form.simulate and 60 in ms:
             mover.read_back()
         for code in ms & _STOPS.keys():
@@ -226,6 +228,7 @@ class Machine:
                 offsets.reshift()
             else:
                 offsets.unshift(921 in gs)
+                mover.shifted(None)
             mover.stay(tip)
             self._recorder.event(flat, Happening.SHIFTED, float(923 in gs))
 
@@ -261,6 +264,7 @@ class Machine:
         tip = offsets.machine(mover.at)
         if gs & {920, 520}:
             offsets.shift_to(given, tip) if 920 in gs else offsets.shift_by(given)
+            mover.shifted(given if 920 in gs else None)
             mover.stay(tip)
             self._recorder.event(flat, Happening.SHIFTED, 1.0)
         elif 100 in gs:
@@ -271,6 +275,7 @@ class Machine:
                     offsets.set_system(at, given, words.get("R"))
                 else:
                     offsets.lay_system(at, given, tip)
+                    mover.laid(given)
                 mover.stay(tip)
                 self._recorder.event(flat, Happening.SYSTEM, at + 1)
             else:
@@ -281,13 +286,18 @@ class Machine:
     def _home(self, first: int, given: Mapping[int, float], flat: int) -> None:
         """Through the point that is written to the stored one, along the axes that are written, or all."""
         mover = self._mover
-        mover.named(tuple(given))
+        self._say(given)
         mover.go(Kind.RAPID, self._target(given), flat)
         axes = tuple(given) or tuple(range(9))
         if not any(first <= at < first + 9 for at in self._form.stored):
-            mover.unknown.update(axes)
+            mover.lose(axes)
             self._recorder.note(flat, "where the machine's stored point lies is not known; it is taken for its zero")
         mover.home(mover.offsets.home(first, self._stored), axes, flat)
+
+    def _say(self, given: Mapping[int, float]) -> None:
+        """The program says where these axes go, if not from where they are."""
+        if self._modes.g["distance"] == 900:
+            self._mover.named(given)
 
     def _target(self, given: Mapping[int, float]) -> Coordinates:
         target = self._mover.at.copy()
@@ -308,11 +318,13 @@ class Machine:
         mover.left_cycles()
         if in_machine:
             if not mover.offsets.known:
-                mover.unknown.update(given)
+                mover.lose(given)
+            else:
+                mover.named(given)
             place = [given.get(axis, 0.0) for axis in range(9)]
             target = mover.in_machine(place, tuple(given))
         else:
-            mover.named(tuple(given))
+            self._say(given)
             target = self._target(given)
             mover.polar(target, words, modes.unit, modes.g["distance"] == 900)
         self._run(motion, target, words, flat)
@@ -392,7 +404,7 @@ class Machine:
             turned = (words.get("@", 0.0) * modes.unit, words.get("^", 0.0))
         said = {letter: words[letter] * modes.unit for letter in "RQIJK" if letter in words}
         said |= {letter: words[letter] for letter in "PL" if letter in words}
-        mover.named(tuple(given))
+        self._say(given)
         mover.drill(motion, said, placed, flat, turned)
 
 

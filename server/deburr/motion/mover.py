@@ -13,12 +13,13 @@ from deburr.motion.offsets import Coordinates, Offsets
 from deburr.motion.path import Flag, Happening, Kind
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from deburr.expand.rs274.modes import Modes
     from deburr.motion.form import Form
     from deburr.motion.path import Recorder
 
+ALL = (1 << len(AXES)) - 1
 _SIGNS = {30: 1.0, 40: -1.0}
 
 
@@ -33,10 +34,16 @@ class Mover:
         """In the program's coordinates: X, Y, Z, A, B, C, U, V, W."""
         self.flags = 0
         self.feed = 0.0
-        self.unknown = set[int]()
-        """Axes of which only the machine knows where they are."""
+        self.unknown = 0 if form.simulate else ALL
+        """Axes of which it is not said where they are, as `Path.unknown` has them."""
+        self.lost = 0
+        """Those of them that only the machine knows since it moved them."""
         self._then = self.offsets.tool
         """The tool's length at the last move, for all that the stand-alone interpreter's machine knows."""
+        self.adrift = 0
+        """Axes whose work offset is not known: it was made of a place that is not."""
+        self._shifted = 0
+        """Those whose G92 is not."""
         self._width = 3
         self._level: float | None = None
         """Where the first of a row of canned cycles began, along the drilled axis."""
@@ -51,19 +58,35 @@ class Mover:
             self._width = 9
         end = self.offsets.machine(target) if base is None else [a + b for a, b in zip(target[: self._width], base)]
         flags |= self.flags
-        if self.unknown:
+        if self.lost:
             flags |= Flag.ASSUMED
         if start[0] != target[0] or start[1] != target[1]:
             flags |= Flag.SIDEWAYS
         feed = self.feed
         if pitch is not None:
             feed, flags = pitch, flags & ~Flag.INVERSE | Flag.PER_REVOLUTION
-        self._recorder.move(kind, flags, end[: self._width], flat, feed)
+        self._recorder.move(kind, flags, end[: self._width], flat, feed, self.unknown)
 
-    def named(self, axes: Sequence[int]) -> None:
+    def named(self, axes: Iterable[int]) -> None:
         """These axes are moved to places that the program says."""
         if self.unknown:
-            self.unknown.difference_update(axes)
+            said = sum(1 << axis for axis in axes)
+            self.unknown &= ~said | self.adrift | self._shifted
+            self.lost &= ~said
+
+    def lose(self, axes: Iterable[int]) -> None:
+        """These axes are moved to places that only the machine knows."""
+        said = sum(1 << axis for axis in set(axes))
+        self.unknown |= said
+        self.lost |= said
+
+    def shifted(self, axes: Iterable[int] | None) -> None:
+        """G92 is made of the places of these axes; None: it is gone."""
+        self._shifted = self.unknown & sum(1 << axis for axis in axes) if axes is not None else 0
+
+    def laid(self, axes: Iterable[int]) -> None:
+        """A work system is made of the places of these axes."""
+        self.adrift |= self.unknown & sum(1 << axis for axis in axes)
 
     def arc(self, target: Coordinates, plane: int, words: Mapping[str, float], clockwise: bool, flat: int) -> None:
         """An arc to a point. ``words``: I, J, K as distances from the start, R, in mm; P, the turns."""
@@ -145,7 +168,7 @@ class Mover:
             self.read_back()
         start = self.at
         self.go(Kind.PROBE, target, flat)
-        self.unknown.update(axis for axis in range(9) if start[axis] != target[axis])
+        self.lose(axis for axis in range(9) if start[axis] != target[axis])
         way = math.dist(start[:3], target[:3])
         if simulate and way:
             part = max(0.0, 1 - PROBE_SHORT / way)

@@ -145,6 +145,8 @@ class Path:
     """The feed that holds (f)."""
     tool: memoryview
     """The index of the tool in ``tools`` (H)."""
+    unknown: memoryview
+    """Axes of which the program has not said where they are when a move ends, nor anything before it: bit n is axis n of XYZABCUVW (H)."""
     beside: Mapping[str, memoryview[float]]
     """The other axes, as far as they are used (d)."""
     tools: tuple[int, ...]
@@ -195,6 +197,7 @@ class Recorder:
         self._kinds, self._flags = array("B"), array("B")
         self._x, self._y, self._z = array("d"), array("d"), array("d")
         self._flat, self._feeds, self._tool = array("i"), array("f"), array("H")
+        self._unknown = array("H")
         self._beside: dict[str, array[float]] = {}
         self._tools = [0]
         self._now = 0
@@ -204,12 +207,13 @@ class Recorder:
         self._lengths: list[tuple[float, ...]] = []
         columns: tuple[array[Any], ...] = (
             self._kinds, self._flags, self._x, self._y, self._z, self._flat, self._feeds, self._tool,
+            self._unknown,
         )  # fmt: skip
         self._puts: tuple[Callable[[float], None], ...] = tuple(column.append for column in columns)
 
-    def move(self, kind: int, flags: int, end: Sequence[float], flat: int, feed: float) -> None:
-        """A move to a point: X, Y, Z, and as many of A, B, C, U, V, W as there are."""
-        kinds, marks, x, y, z, flats, feeds, tools = self._puts
+    def move(self, kind: int, flags: int, end: Sequence[float], flat: int, feed: float, unknown: int = 0) -> None:
+        """A move to a point: X, Y, Z, and as many of A, B, C, U, V, W as there are. ``unknown``: see `Path.unknown`."""
+        kinds, marks, x, y, z, flats, feeds, tools, unknowns = self._puts
         kinds(kind)
         marks(flags)
         x(end[0])
@@ -218,6 +222,7 @@ class Recorder:
         flats(flat)
         feeds(feed)
         tools(self._now)
+        unknowns(unknown)
         if self._beside or len(end) > 3:
             self._also(end)
 
@@ -253,7 +258,7 @@ class Recorder:
         at, flat, what, value = self._events
         return Path(
             _view(self._kinds), _view(self._flags), _view(self._x), _view(self._y), _view(self._z),
-            _view(self._flat), _view(self._feeds), _view(self._tool),
+            _view(self._flat), _view(self._feeds), _view(self._tool), _view(self._unknown),
             {axis: _view(column) for axis, column in self._beside.items()},
             tuple(self._tools),
             self._start,

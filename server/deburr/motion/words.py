@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import NamedTuple
 
 _WORD = re.compile(r"([A-Z@^])([-+]*(?:[0-9]+\.?[0-9]*|\.[0-9]+))")
 _COMMENT = re.compile(r"\([^()]*\)|;.*")
 _SETTING = re.compile(r"#([0-9]+)=([-+]?[0-9.]+)")
+_PARAMETER = re.compile(r"#([0-9]+)")
 _REST = re.compile(r"[^/%\s]+")
 _BLANKS = {ord(" "): None, ord("\t"): None}
 
@@ -30,12 +32,19 @@ def plain(text: str) -> Said | None:
     return found if sum(len(word[1]) for word in found) + len(found) == len(text) else None
 
 
-def all_of(text: str) -> Words:
-    """All of a line. Letters are read as capitals; comments stand in parentheses, or behind `;`."""
+def all_of(text: str, values: Mapping[int, float]) -> Words:
+    """All of a line. Letters are read as capitals; comments stand in parentheses, or behind `;`. ``values``: of numbered parameters that stand in it."""
     text = _COMMENT.sub(" ", text).upper().translate(_BLANKS)
     settings = _SETTING.findall(text)
     text = _SETTING.sub(" ", text)
+    if "#" in text:
+        text = _PARAMETER.sub(lambda found: _value(found, values), text)
     return Words(_WORD.findall(text), settings, " ".join(_REST.findall(_WORD.sub(" ", text))))
+
+
+def _value(found: re.Match[str], values: Mapping[int, float]) -> str:
+    value = values.get(int(found[1]))
+    return found[0] if value is None else f"{value:.17f}"
 
 
 def number(said: str) -> float:

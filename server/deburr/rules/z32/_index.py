@@ -17,6 +17,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('call_depth', 3, True, False, False, 'Whole', {}, False),
     ('comment_nested', 3, True, False, False, 'Syntax', {'kinds': (), 'only': None}, False),
     ('comment_unclosed', 3, True, False, False, 'Syntax', {'kinds': (), 'only': None}, False),
+    ('cut_without_feed', 2, True, False, False, 'Moved', {'needs': 'limits', 'unless_said': True}, False),
     ('divide_by_zero', 3, True, False, False, 'Nodes', {'kinds': ('product',), 'by_shape': False}, False),
     ('domain', 3, True, False, False, 'Nodes', {'kinds': ('function', 'product', 'sum'), 'by_shape': False}, False),
     ('expression_syntax', 3, True, False, False, 'Syntax', {'kinds': (), 'only': None}, False),

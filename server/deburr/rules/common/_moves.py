@@ -1,0 +1,117 @@
+"""What is wrong with moves on a machine that is described: by rules of every dialect, of a language's own pages, too."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from deburr.machine import AXES
+from deburr.motion.arcs import extremes
+from deburr.motion.path import Flag, Happening, Kind
+from deburr.rule import Report
+from deburr_grammar.text import Span
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+    from typing import Any
+
+    from deburr.motion.path import Path
+
+_NEAR = 1e-6
+"""Millimetres by which a place may be beyond a limit: numbers are rounded."""
+_CUTS = frozenset((Kind.FEED, Kind.ARC, Kind.THREAD))
+_AXES = "XYZ"
+
+
+def outside(path: Path, machine: Mapping[str, Any]) -> Iterator[Report]:
+    """Moves beyond the limits of an axis: of the machine, so that the tool's length counts."""
+    limits = machine["limits"]
+    for index, length in _with_lengths(path):
+        if path.kinds[index] == Kind.SHIFT:
+            continue
+        for axis, low, high in _reached(path, index, length):
+            least, most = limits.get(axis, (low, high))
+            beyond = low if low < least - _NEAR else high if high > most + _NEAR else None
+            if beyond is not None and _known(path, index, axis):
+                unit = "degrees" if axis in "ABC" else "mm"
+                what = "the arc reaches" if path.kinds[index] == Kind.ARC else "the move goes to"
+                said = f"{what} {axis} {beyond:.6g} {unit}, outside of the machine's limits {least:g} to {most:g}"
+                yield Report(Span(0, 0), said, path.flat[index])
+                break
+
+
+def too_low(path: Path, machine: Mapping[str, Any]) -> Iterator[Report]:
+    """Rapids that end below Z safe, or go sideways there. To rise straight out is right, and so is what a canned cycle does in its hole."""
+    safe = machine["z-safe"]
+    for index, (kind, flags, end) in enumerate(zip(path.kinds, path.flags, path.z)):
+        if kind != Kind.RAPID or not _known(path, index, "Z"):
+            continue
+        start = path.before(index)[2] if index and _known(path, index - 1, "Z") else math.inf
+        # Straight down in the hole of a cycle is right, and so is to rise straight out.
+        straight = safe if flags & Flag.CYCLE or end >= start else end
+        low = min(start, end) if flags & Flag.SIDEWAYS else straight
+        if low < safe - _NEAR:
+            turns = "turning" if flags & Flag.SPINDLE else "off"
+            said = f"a rapid at Z {low:.6g} mm, below the safe Z of {safe:g} mm, with the spindle {turns}"
+            yield Report(Span(0, 0), said, path.flat[index])
+
+
+def without_spindle(path: Path, machine: Mapping[str, Any]) -> Iterator[Report]:
+    """The first cut after each time that the spindle stopped turning."""
+    silent = False
+    for index, (kind, flags) in enumerate(zip(path.kinds, path.flags)):
+        if kind not in _CUTS:
+            continue
+        off = not flags & Flag.SPINDLE
+        if off and not silent and _goes(path, index):
+            yield Report(Span(0, 0), "a cut while the spindle does not turn; M3 or M4 starts it", path.flat[index])
+        silent = off and (silent or _goes(path, index))
+
+
+def without_feed(path: Path, machine: Mapping[str, Any]) -> Iterator[Report]:
+    """The first cut of those that have no feed."""
+    for index, (kind, feed) in enumerate(zip(path.kinds, path.feeds)):
+        if kind in _CUTS and not feed > 0 and _goes(path, index):
+            yield Report(
+                Span(0, 0), "a cut without a feed; write an F word on this line or before it", path.flat[index]
+            )
+            return
+
+
+def _goes(path: Path, index: int) -> bool:
+    """Whether a move leads anywhere, with any axis."""
+    if path.kinds[index] == Kind.ARC or path.before(index) != (path.x[index], path.y[index], path.z[index]):
+        return True
+    return any(column[index] != (column[index - 1] if index else 0.0) for column in path.beside.values())
+
+
+def _known(path: Path, index: int, axis: str) -> bool:
+    """Whether the program has said where an axis is behind a move, and on an arc before it."""
+    bit = 1 << AXES.index(axis)
+    before = path.unknown[index - 1] if index and path.kinds[index] == Kind.ARC else 0
+    return not (path.unknown[index] | before) & bit
+
+
+def _with_lengths(path: Path) -> Iterator[tuple[int, Sequence[float]]]:
+    """Each move with the tool length that holds."""
+    changes = [(event.at, path.lengths[round(event.value)]) for event in path.events if event.what is Happening.LENGTH]
+    changes.append((len(path) + 1, ()))
+    length: Sequence[float] = (0.0, 0.0, 0.0)
+    following = iter(changes)
+    at, after = next(following)
+    for index in range(len(path)):
+        while index >= at:
+            length = after
+            at, after = next(following)
+        yield index, length
+
+
+def _reached(path: Path, index: int, length: Sequence[float]) -> Iterator[tuple[str, float, float]]:
+    """How far each axis goes in a move: the least and the greatest place."""
+    end = (path.x[index], path.y[index], path.z[index])
+    arc = path.arc(index)
+    lows, highs = extremes(arc) if arc is not None else (end, end)
+    for axis, low, high, offset in zip(_AXES, lows, highs, length):
+        yield axis, low + offset, high + offset
+    for axis, column in path.beside.items():
+        yield axis, column[index], column[index]
