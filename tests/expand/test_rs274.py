@@ -196,3 +196,26 @@ def test_what_is_a_chain(name: str) -> None:
     program, lines = CHAINS[name]
     found = [line for line in flat(f"#1=[1/3] #2=[2/3]\n{program}\nM2\n")[:-1] if line != "G91"]
     assert found == lines
+
+
+COMPUTED_CODES = {
+    "the end": ("#5=2\nG0 X1\nM#5\nG0 X2\n", ["G0 X1", "M2"]),
+    "the end, with words before it": ("G0 X1 M[29+1]\nG0 X2\n", ["G0 X1 M30"]),
+    "the end in a sub": ("o1 sub\nM[1+#1]\no1 endsub\no1 call [1]\nG0 X3\n", ["M2"]),
+    "the end in percent signs": ("%\nM[2]\nG0 X3\n%\nG0 X4\n", ["%", "M2", "%"]),
+    "the end at last": ("o1 repeat [3]\n#5=[#5+30] M#5\no1 endrepeat\n", ["M0", "M30"]),
+    "a call": ("#5=98\nM#5 P7 L2\nM2\nO7\nG0 X3\nM99\n", ["G0 X3", "G0 X3", "M2"]),
+    "a return": ("M98 P7\nM2\nO7\n#5=99\nG0 X3\nM#5\nG0 X4\nM99\n", ["G0 X3", "M2"]),
+    "modes of a call": (
+        "o1 sub\nM[#1+70]\nG91\no1 endsub\no1 call [3]\nM2\n",
+        ["M70", "G91", "M72", "M2"],
+    ),
+    "one line, several codes": ("o1 repeat [2]\nM[7+#1]\n#1=1\no1 endrepeat\nM2\n", ["M7", "M8", "M2"]),
+}
+"""Programs with M codes that only a run knows, and what the control makes of them."""
+
+
+@pytest.mark.parametrize("name", COMPUTED_CODES)
+def test_a_computed_m_code_does_what_a_written_one_does(name: str) -> None:
+    program, lines = COMPUTED_CODES[name]
+    assert flat(program) == lines

@@ -28,6 +28,13 @@ MET = {
     "param-readonly 2 0-3": "#1=5420\n##1=3\nM2\n",
     "named-undefined 4 4-8": "o1 if [#2]\n#<a>=1\no1 endif\nG0 X#<a>\nM2\n",
     "sub-unknown 2 0-8": "#1=9\no#1 call\nM2\n",
+    "sub-unknown 4 0-6": "M98 P2\nG0 X1\nM2\no2 sub\no2 endsub\nO2\nG0 X3\nM99\n",
+    "sub-unknown 1 0-6": "o2 sub\no2 endsub\no2 call\n#1=2\nM98 P#1\nM2\n",
+    "sub-unknown 2 0-8 by a computed code": "#1=98\nM#1 P900\nM2\n",
+    "arc-radius 4 4-6": "F9\n#1=4\nG91 G0 X#1\nG90 G2 X9 R1\nM2\n",
+    "arc-radius 5 0-2": "G99 F9\n#1=4\nG81 X#1 Y0 Z-1 R1\nG80\nG2 X9 R1\nM2\n",
+    "arc-radius 5 0-2 in inches": "G21 F9\n#1=25.4\nG0 X#1\nG20\nG2 X9 R1\nM2\n",
+    "probe-in-place 3 0-5": "F9\n#1=5\nG38.2 X[#1-5]\nM2\n",
     "sub-redefined 5 0-11": f"{SUB}#1=1\no[#1+0] sub\no1 endsub\nM2\n",
     "sub-before-definition 3 0-6": "#1=1\no#1 call\no1 sub\no1 endsub\nM2\n",
     "sub-depth 3 0-14": "o1 sub\no2 if [#1 LT 99]\no1 call [#1+1]\no2 endif\no1 endsub\no1 call\nM2\n",
@@ -47,7 +54,7 @@ MET = {
 
 @pytest.mark.parametrize("expected", MET)
 def test_what_a_run_meets(expected: str) -> None:
-    kind, row, columns = expected.split()
+    kind, row, columns, *_ = expected.split()
     start, end = map(int, columns.split("-"))
     fault = expansion(MET[expected]).faults[-1]
     assert (fault.kind, fault.line + 1, fault.span.start, fault.span.end) == (kind, int(row), start, end), fault

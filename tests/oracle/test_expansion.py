@@ -19,7 +19,7 @@ from support.expressions import ARITHMETIC, COMPARED, FUNCTIONS, LOGICAL
 from support.flat import MAIN, RULES, STORED, TABLE, Case, difference, ran, verdict
 from support.formatting import CANONICAL, laid_out
 from support.oracle import SAMPLES
-from support.programs import FLOW, MOTION, PREDEFINED, Generated, generated
+from support.programs import FLOW, MOTION, PREDEFINED, WAYS, Generated, generated
 from support.samples import drivers, read, sample
 
 PROGRAMS, CHUNKS = 2_000, 8
@@ -238,6 +238,6 @@ def test_random_programs_use_all_of_the_language() -> None:
             used.update(program.used)
             count += 1
     assert count == PROGRAMS == 2_000
-    wanted = (*ARITHMETIC, *COMPARED, *LOGICAL, *FUNCTIONS, *FLOW, *PREDEFINED, *MOTION)
+    wanted = (*ARITHMETIC, *COMPARED, *LOGICAL, *FUNCTIONS, *FLOW, *PREDEFINED, *MOTION, *WAYS)
     rare = {name: used[name] for name in wanted if used[name] < USED_AT_LEAST}
     assert rare == {}

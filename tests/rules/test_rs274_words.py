@@ -7,6 +7,7 @@ from deburr.finding import Severity
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
+from support.pages import MemoryHost
 
 DIALECT = by_name("rs274")
 
@@ -55,8 +56,16 @@ UNCERTAIN = {
     "the operator decides on a line": "/G1 F100\nX1\nM2\n",
     "a code may be any": "#1=81\nG#1 X1 R2 P3\nM2\n",
     "a move may lead anywhere": "F100\n#1=1\nG0 X#1 Y0\nG2 X5 I1\nM2\n",
-    "an offset moves the origin": "F100\nG0 X0 Y0\nG92 X5\nG2 X9 R1\nM2\n",
+    "an offset moves the origin": "F100\nG0 X0 Y0\nG52 X5\nG2 X9 R1\nM2\n",
     "M6 may move the machine": "F100\nG0 X0 Y0\nT1 M6\nG2 X9 R1\nM2\n",
+    "an offset was stored, nobody knows which": "F100\nG0 X0 Y0\nG10 L2 P1 X5\nG2 X9 R1\nM2\n",
+    "a tool may have an offset": "F100\nG0 X0 Y0\nG43 H1\nG2 X9 R1\nM2\n",
+    "a tool may have an offset, and a step keeps it": "F100\nG0 X0 Y0\nG91 G43 H1 X1\nG90\nG2 X9 R1\nM2\n",
+    "a probe stops on its way": "F100\nG0 X0 Y0\nG38.2 X5\nG2 X9 R1\nM2\n",
+    "home is where the machine has it": "F100\nG0 X0 Y0\nG28 X5\nG2 X9 R1\nM2\n",
+    "the machine's own coordinates": "F100\nG0 X0 Y0\nG53 G0 X5\nG2 X9 R1\nM2\n",
+    "steps in units that are not known": "F100\nG91 G0 X1\nG90 G20\nG2 X9 R1\nM2\n",
+    "a probe may turn": "F100\nG0 Z5\nG38.2 Z5 A3\nM2\n",
     "units change the numbers": "F100\nG0 X1 Y0\nG21\nG2 X9 R1\nM2\n",
 }
 
@@ -79,6 +88,29 @@ CERTAIN = {
         ["arc-radius"],
     ),
     "arcs follow arcs": ("F100\nG0 X0 Y0\nG2 X2 I1\nX4 I1\nX9 I1\nX11 I1\nM2\n", ["arc-radius"]),
+    "steps add up": ("F100\nG91 G0 X2\nX3\nG90 G2 X9 R1\nM2\n", ["arc-radius"]),
+    "steps add up to a right start": ("F100\nG91 G0 X2\nX3\nG90 G2 X7 R1\nM2\n", []),
+    "steps add up through chunks": ("F100\nG91\n" + "G1 X1\n" * 40 + "G90 G2 X44 R1\nG1\nX2\nM2\n", ["arc-radius"]),
+    "steps add up through chunks, to a right start": ("F100\nG91\n" + "G1 X1\n" * 40 + "G90 G2 X42 R1\nM2\n", []),
+    "arcs by steps follow each other": ("F100 G91\n" + "G2 X2 I1\n" * 20 + "G90 G2 X44 I1\nM2\n", ["arc-radius"]),
+    "inches are 25.4 mm": ("G21 F100\nG0 X254\nG20\nG2 X12 R0.5\nM2\n", ["arc-radius"]),
+    "inches are 25.4 mm, and the arc is right": ("G21 F100\nG0 X254\nG20\nG2 X11 R0.5\nM2\n", []),
+    "units change far below": (
+        "G21 F100\nG0 X254\n" + "G4 P1\n" * 30 + "G20\n" + "G4 P1\n" * 30 + "G2 X12 R0.5\nM2\n",
+        ["arc-radius"],
+    ),
+    "a cycle ends above its hole": ("F100 G99\nG81 X5 Y0 Z-1 R1\nG80\nG2 X9 R1\nM2\n", ["arc-radius"]),
+    "a cycle ends at R": ("F100 G99\nG81 X5 Y0 Z-1 R3\nG80\nG18 G2 Z9 R1\nM2\n", ["arc-radius"]),
+    "a repeated cycle ends at its last hole": ("F100 G91 G99\nG81 X5 Y0 Z-1 R1 L3\nG80 G90\nG2 X9 R1\nM2\n", []),
+    "G92 names the place": ("F100\nG92 X5 Y0\nG2 X9 R1\nM2\n", ["arc-radius"]),
+    "G10 L20 names the place": ("F100\nG10 L20 P0 X5 Y0\nG2 X9 R1\nM2\n", ["arc-radius"]),
+    "another system is not in force": ("F100\nG10 L2 P2 X5 Y0\nG2 X9 R1\nM2\n", ["arc-radius"]),
+    "home along one axis": ("F100\nG0 X5 Y0\nG28 Z0\nG2 X9 R1\nM2\n", ["arc-radius"]),
+    "a probe along another axis": ("F100\nG0 X5 Y0 Z5\nG38.2 Z0\nG2 X9 R1\nM2\n", ["arc-radius"]),
+    "a probe far below where the tool stands": (
+        "F100\nG0 Z5\n" + "G4 P1\n" * 30 + "G38.2 Z5\nM2\n",
+        ["probe-in-place"],
+    ),
     "zero is zero in all units": ("F100\nG0 X0 Y0\nG21\nG2 X9 R1\nM2\n", ["arc-radius"]),
     "a feed rate of zero": ("F0\nG0 X1\nG1 X2\nX3\nM2\n", ["feed-zero"]),
 }
@@ -88,6 +120,19 @@ CERTAIN = {
 def test_what_is_certain_is_said_once(why: str) -> None:
     program, expected = CERTAIN[why]
     assert rules_said(program) == expected
+
+
+@pytest.mark.parametrize(
+    ("table", "said"),
+    {"T1 P1 Z5": ["arc-radius"], "T1 P1 X0.5 Z5": [], "T1 P1 Y0.5 Z5": ["arc-radius"]}.items(),
+)
+def test_a_tool_of_the_table_moves_along_its_own_offsets(table: str, said: list[str]) -> None:
+    program = "F100\nG0 X5 Y0\nG43 H1 Z5\nG2 X9 R1\nM2\n"
+    ruleset, host = RuleSet(DIALECT, {"tool-table": "t.tbl"}), MemoryHost({"t.tbl": f"{table}\n"})
+    found = Analysis(Document.parse(program, DIALECT), ruleset, "", host).findings()
+    assert [finding.rule for finding in found] == [f"rs274.{rule}" for rule in said]
+    changed = Document.parse(program.replace("G43", "G10 L1 P1 X1\nG43"), DIALECT)
+    assert Analysis(changed, ruleset, "", host).findings() == []
 
 
 def test_an_unknown_code_in_a_file_of_subprograms_is_a_warning() -> None:

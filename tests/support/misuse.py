@@ -27,6 +27,8 @@ def _lines(*said: str) -> Callable[[Random], list[str]]:
     return lambda rng: ["#50=0 #52=97", *rng.choice(said).split("\n")]
 
 
+_CLEAR = "G8 G17 G90 G91.1 G94 F60"
+"""Modes in which an arc is judged."""
 MISUSES = (
     Misuse("divide-by-zero", _in_value("[1/#50]", "[#31/[#50*3]]", "[5/[#50-#50]]")),
     Misuse("square root", _in_value("SQRT[#50-1]", "SQRT[-4+#50]")),
@@ -48,5 +50,19 @@ MISUSES = (
     Misuse("too deep", _lines("o97 sub\no98 if [#1 LT 50]\no97 call [#1+1]\no98 endif\no97 endsub\no97 call [#50]")),
     Misuse("restored unsaved", _lines("o97 sub\nM72\no97 endsub\no97 call")),
     Misuse("known sub", _lines("o[#50+97] call\no97 sub\no97 endsub", "o#[#50+52] call [1]\no97 sub\no97 endsub")),
+    Misuse(
+        "arc",
+        _lines(
+            f"{_CLEAR}\nG0 X1 Y2\nG91 G1 X[#50+3]\nG90 G2 X9 R1",
+            f"{_CLEAR}\nG0 X1 Y2\nG91 G2 X4 R[#50+1.5]",
+            f"{_CLEAR}\nG91 G3 X4 Y1 I[#50+2] J0",
+            f"{_CLEAR}\nG99 G81 X[5+#50] Y0 Z-1 R3\nG80\nG2 X9 I1",
+            f"{_CLEAR}\nG21 G0 X2.54 Y[#50]\nG20\nG2 X1.1 R[#50+0.4]",
+            f"{_CLEAR}\nG92 X[#50+5] Y0\nG3 X9 R1.9",
+            f"{_CLEAR}\nG10 L20 P0 X[#50+5] Y0\nG3 X9 R1.9",
+        ),
+    ),
+    Misuse("probe in place", _lines(f"{_CLEAR}\nG0 X[#50+1]\nG38.2 X1", f"{_CLEAR}\nG91 G38.4 X[#50] Y0")),
+    Misuse("sub by number", _lines("M98 P[#50+97]\no97 sub\no97 endsub", "o97 sub\no97 endsub\nM98 P97")),
     Misuse("passed value", _lines("o97 sub\no97 endsub [1/#50]")),
 )

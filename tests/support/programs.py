@@ -33,6 +33,16 @@ MOTION = (
     "M70", "M72", "file",
 )  # fmt: skip
 """Motion, offsets and saved modes, and subprograms in files of their own."""
+WAYS = (
+    "arc by steps",
+    "arc of a radius",
+    "other units, then an arc",
+    "cycle, then an arc",
+    "offset, then an arc",
+    "computed M",
+    "computed end",
+)
+"""What leads to a place that an arc or a probe behind it hangs on, and M codes that only a run knows."""
 _OUTSIDE = ("_hal", "_ini", "_abs_", "_current_pocket", "_selected_pocket", "_remap_level", "_line")
 """Values that not even a simulated machine has, and the line, which is another one in a flat program."""
 _LONGEST = 200
@@ -111,7 +121,11 @@ class _Writer:
             statements.insert(rng.randint(0, len(statements)), self._misuse.lines(rng))
         body = [line for statement in statements for line in statement]
         inside = [line for sub in subs for line in sub]
-        lines = [*head, *([] if behind else inside), *body, "(PRINT,end)", rng.choice(("M2", "M30"))]
+        end = rng.choice(("M2", "M30"))
+        if not numbered and not behind and rng.random() < 0.2:
+            self._use("computed end")
+            end = f"M[{end[1:]}+#50*0]"
+        lines = [*head, *([] if behind else inside), *body, "(PRINT,end)", end]
         lines += [*(inside if behind else []), *(line for one in numbered for line in one)]
         lines = [f"/{line}" if self._rng.random() < 0.01 else line for line in lines]
         lines = ["%", *lines, "%"] if self._rng.random() < 0.1 and not self._files else lines
@@ -181,7 +195,7 @@ class _Writer:
         simple += (
             [lambda scope: [self._print(scope)]] * 3
             + [self._call] * 3
-            + [self._offset, self._cycle, self._arc, self._saved, self._probe]
+            + [self._offset, self._cycle, self._arc, self._saved, self._probe, self._way, self._coded]
         )
         nested = [self._if, self._if, self._while, self._do if self._plan.do else self._while, self._repeat]
         if depth and self._rng.random() < 0.3:
@@ -233,6 +247,37 @@ class _Writer:
         return self._moving(
             f"G94 {plane} G91.1 {self._rng.choice(('G2', 'G3'))} {one}[1+{self._values.small(scope, 9)}] {two}2 F60"
         )
+
+    def _way(self, scope: Scope) -> list[str]:
+        """An arc that is right if its start is where the lines before it lead."""
+        rng, code, size = self._rng, self._rng.choice(("G2", "G3")), self._values.small(scope, 4)
+        x, radius = rng.randint(-3, 5), rng.randint(1, 3)
+        ahead = rng.choice((f"R{radius}", f"I{radius} J0"))
+        ways = {
+            "arc by steps": ["G91", f"{code} X{2 * radius} Y0 {ahead}", f"{code} X[{size}] R[{size}+1]", "G90"],
+            "arc of a radius": ["G91", f"G1 X{x} Y[{size}]", f"{code} Y{2 * radius} R{radius}", "G90"],
+            "other units, then an arc": [
+                "G21",
+                f"G0 X{2.54 * x:.2f} Y0",
+                "G20",
+                f"{code} X{0.1 * x + 2 * radius:.1f} {ahead}",
+                "G21",
+            ],
+            "cycle, then an arc": ["G99", f"G81 X{x} Y[{size}] Z-1 R2", "G80", f"{code} X{x + 2 * radius} {ahead}"],
+            "offset, then an arc": [
+                f"{rng.choice(('G92', 'G10 L20 P0'))} X{x} Y1",
+                f"{code} X{x + 2 * radius} {ahead}",
+            ],
+        }
+        name = rng.choice(tuple(ways))
+        self._use(name)
+        return self._moving("G8 G17 G90 G91.1 G94 F60", *ways[name])
+
+    def _coded(self, scope: Scope) -> list[str]:
+        """M codes that are calculated."""
+        self._use("computed M")
+        code = self._rng.choice(("3] S500", "5]", "7]", "8]", "9]", "48]", "49]", "70]", "73]"))
+        return [f"M[[{self._values.small(scope)}]*0+{code}", self._print(scope)]
 
     def _saved(self, scope: Scope) -> list[str]:
         return self._moving("M70", self._rng.choice(_MODES[:18]), self._print(scope), "M72")

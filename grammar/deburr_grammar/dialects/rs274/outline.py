@@ -10,7 +10,7 @@ from deburr_grammar.dialects.rs274.commands import meant
 from deburr_grammar.line import LineNode
 from deburr_grammar.problem import Problem
 from deburr_grammar.text import Span
-from deburr_grammar.tree import Node, Token
+from deburr_grammar.tree import Node, Token, walk
 
 PROGRAM = Reading("program", "line")
 AFTER_END = Reading("after-end", None)
@@ -55,6 +55,7 @@ _COMMANDS = {
     "RETURN": (Role.MIDDLE, "sub"),
 }
 _BLANKS = re.compile(r"[ \t]+")
+_ABORTS = re.compile(r"\([ \t]*abort[ \t]*,", re.I)
 _INTEGER = re.compile(r"([-+]*)<?([0-9]+)(?:\.0*)?>?")
 
 
@@ -164,6 +165,17 @@ def label_of(text: str, label: Node) -> str | None:
         digits = number[2].lstrip("0") or "0"
         return f"-{digits}" if number[1].count("-") % 2 and digits != "0" else digits
     return said.strip("<>").lower() if len(label.children) == 1 and isinstance(only, Token) else None
+
+
+def aborts(text: str) -> bool:
+    """Whether a comment of a line may stop the program."""
+    return _ABORTS.search(text) is not None
+
+
+def computes_code(text: str, tree: Node) -> bool:
+    """Whether only a run knows an M code of a line."""
+    words = (part for part in walk(tree) if isinstance(part, Node) and part.kind == "word")
+    return any(text[word.start] in "Mm" and isinstance(word.children[-1], Node) for word in words)
 
 
 def codes(line: LineNode) -> Iterator[tuple[str, Node]]:

@@ -15,6 +15,7 @@ from deburr.suggest import suggestion
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
+    from deburr.expand.rs274.compiling import Compiler
     from deburr.expand.rs274.lines import Line
     from deburr.expand.rs274.parts import Parts
     from deburr.expand.rs274.run import Run
@@ -29,8 +30,9 @@ Start = tuple[Unit, int]
 class Calls:
     """The calls of one run."""
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: Run, compiler: Compiler) -> None:
         self._run = run
+        self._compiler = compiler
         self._state = run.state
         self._units: dict[str, Unit | None] = {}
         self._known: dict[str, Start] = {}
@@ -105,6 +107,7 @@ class Calls:
                 return row + 1
             self._activate(unit, row, span, 0)
             target, start = self._numbered(str(number), unit, row, span)
+            self._is_numbered(target, start, f"M98 P{number}")
             state.calls[-1].again = (target, start, max(count, 1) - 1)
             self._run.unit, self._run.row = target, start + 1
             return ELSEWHERE
@@ -139,7 +142,8 @@ class Calls:
         """A lathe cycle: the control needs the contour as a subprogram, so the flat program has it, too, with values in it."""
         run, state, span = self._run, self._state, Span(0, len(line.node.text.rstrip()))
         at = next(at for at, word in enumerate(line.words) if word.letter == "Q")
-        read, write = run.read(line), run.write(unit, row, line, line.pieces(computed="Q"))
+        compiler = self._compiler
+        read, write = compiler.read(line), compiler.write(unit, row, line, line.pieces(computed="Q"))
         number = line.values.integer(line.words[at].part)
 
         def called() -> int:
@@ -172,8 +176,8 @@ class Calls:
         if free not in self._contours:
             self._contours[free] = said
             emit(f"o{free} sub", unit.file, row, state.frame)
-            for line in lines:
-                emit(*line)
+            for text, source, at, frame in lines:
+                emit(text, source.file, at, frame)
             emit(f"o{free} endsub", unit.file, unit.ends[row], state.frame)
         return free
 
@@ -266,7 +270,8 @@ class Calls:
             target, above = self.load(label) or unit, row
             if target is not unit:
                 above = -1
-            start = target.numbered_behind(label, above)
+            starts = target.numbered_behind(label, above), target.sub_behind(label, above)
+            start = min((at for at in starts if at is not None), default=None)
             if start is None:
                 kind = "sub-unknown"
                 message = f"there is no program `O{label}`, neither further down nor in a file `{label}.ngc`"
@@ -276,6 +281,14 @@ class Calls:
                 raise self._state.fault(kind, unit.file, row, span, message)
             found = self._known[label] = target, start
         return found
+
+    def _is_numbered(self, unit: Unit, row: int, said: str) -> None:
+        """Stop at a `sub` to which M98 leads."""
+        if row in unit.ends:
+            text = unit.document.line(row)
+            message = f"`{said}` leads to a `sub`, which is only run by `call`; the control stops here"
+            span = Span(len(text) - len(text.lstrip()), len(text.rstrip()))
+            raise self._state.fault("sub-unknown", unit.file, row, span, message)
 
     def load(self, label: str) -> Unit | None:
         """The file of a label, read when it is first asked for."""

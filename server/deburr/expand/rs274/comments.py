@@ -12,8 +12,6 @@ if TYPE_CHECKING:
     from deburr.expand.rs274.state import State
     from deburr.fault import Halt
 
-ABORTS = re.compile(r"\([ \t]*abort[ \t]*,", re.I)
-"""A comment that stops the program."""
 _ACTIVE = re.compile(r"\([ \t]*(debug|print|log|abort)[ \t]*,", re.I)
 _PART = re.compile(r"%(?:d|f|\.([0-9])f|(?=\.))|#(?:<([^<>]*)>|([0-9]+))")
 """A format (a lone `%` before a point is swallowed), or a parameter."""

@@ -11,6 +11,7 @@ from deburr.expand.rs274.parts import Parts
 from deburr_grammar.tree import Token
 
 if TYPE_CHECKING:
+    from deburr.expand.rs274.compiling import Compiler
     from deburr.expand.rs274.run import Run
     from deburr.expand.rs274.unit import Op, Unit
     from deburr_grammar.line import LineNode
@@ -19,10 +20,11 @@ if TYPE_CHECKING:
 class Flow:
     """The flow of one run."""
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: Run, compiler: Compiler) -> None:
         self._run = run
+        self._compiler = compiler
         self._state = run.state
-        loops, self.calls = Loops(run.state), Calls(run)
+        loops, self.calls = Loops(run.state), Calls(run, compiler)
         self._commands: dict[str, Callable[[Unit, int, Parts], Op]] = {
             "SUB": self.calls.sub,
             "ENDSUB": self.calls.back,
@@ -48,7 +50,7 @@ class Flow:
         command = next(commands, None)
         delete = self._run.job.inputs.block_delete if node.tree.find("DELETE") is not None else False
         if delete is None:
-            raise self._run.undecided(unit, row, node)
+            raise self._compiler.undecided(unit, row, node)
         if delete is True or command is None:
             return lambda: row + 1
         parts = Parts(self._state, unit, row, node, o_line)

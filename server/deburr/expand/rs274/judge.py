@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 _MOST = 20_000
 """Combinations of shape and state that are kept, and lines that are looked at together."""
-_ON_MOVES = ("arc-radius", "feed-zero", "g-unknown", "m-unknown")
+_ON_MOVES = ("arc-radius", "feed-zero", "g-unknown", "m-unknown", "probe-in-place")
 """Rules on the program as a whole that are about its moves and codes."""
 
 
@@ -158,7 +158,7 @@ class Judge:
         """Ask the rules that follow the tool through what was written."""
         rules = [rule for rule in self._ruleset.on_whole if rule.short in _ON_MOVES]
         document = Document.parse("\n".join(self._first.texts), self._ruleset.dialect)
-        analysis = Analysis(document, self._ruleset)
+        analysis = Analysis(document, self._ruleset, "", self._job.host)
         reports = ((rule, report) for rule in rules for report in rule.check(analysis))
         for rule, report in sorted(reports, key=lambda found: found[1].line):
             self._raise(self._first, report.line, document.node(report.line), rule, report)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from copy import copy
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -27,7 +28,7 @@ _INDENT = re.compile(r"[ \t]*\Z")
 
 
 class Word(NamedTuple):
-    """A word: its letter, what calculates its value, whether that is literal, its code if it is a literal G or M word, and its value in the tree."""
+    """A word: its letter, what calculates its value, whether that is literal, its code if it is a G or M word of which that is known, and its value in the tree."""
 
     letter: str
     get: Get
@@ -83,8 +84,22 @@ class Line:
         _, number = self._parts[0]
         return number == 0 and self.words[0].code == code
 
+    @cached_property
+    def computed(self) -> tuple[int, ...]:
+        """The numbers of M words of which only the run knows the code."""
+        return tuple(at for at, word in enumerate(self.words) if word.letter == "M" and not word.code)
+
+    def with_codes(self, said: Sequence[int]) -> Line:
+        """The same line once its computed M words have come to these codes."""
+        line = copy(self)
+        codes = dict(zip(self.computed, said))
+        line.words = [
+            word._replace(code=f"M{codes[at]}") if at in codes else word for at, word in enumerate(self.words)
+        ]
+        return line
+
     def codes(self) -> frozenset[str]:
-        """The literal G and M codes."""
+        """The G and M codes that are known."""
         return frozenset(word.code for word in self.words if word.code)
 
     def pieces(self, leave_out: frozenset[str] = frozenset(), computed: str = "") -> list[Piece]:

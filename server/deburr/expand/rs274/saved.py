@@ -9,6 +9,7 @@ from deburr.expand.rs274.state import Saved
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
+    from deburr.expand.rs274.compiling import Compiler
     from deburr.expand.rs274.lines import Line
     from deburr.expand.rs274.run import Run
     from deburr.expand.rs274.unit import Op, Unit
@@ -17,9 +18,9 @@ SAVES = frozenset(("M70", "M71", "M72", "M73"))
 _WORD = re.compile(r"([A-Z])([0-9.]+)")
 
 
-def saving(run: Run, unit: Unit, row: int, line: Line, codes: frozenset[str]) -> Op:
+def saving(run: Run, compiler: Compiler, unit: Unit, row: int, line: Line, codes: frozenset[str]) -> Op:
     """A line with one of these codes: the rest of the line first, then what the code does to the saved modes."""
-    rest, state, emit = run.written(unit, row, line, line.pieces(SAVES), row + 1), run.state, run.emit
+    rest, state, emit = compiler.written(unit, row, line, line.pieces(SAVES), row + 1), run.state, run.out.emit
     said = next((word.part for word in line.words if word.code == "M72"), line.node.tree)
     span = Span(max(line.node.text.upper().rfind("M", 0, said.start), 0), said.end)
 
@@ -29,7 +30,7 @@ def saving(run: Run, unit: Unit, row: int, line: Line, codes: frozenset[str]) ->
         if not codes.isdisjoint(("M70", "M73")):
             state.saved = state.slot = Saved(state.machine.modes.copy())
             state.returns |= "M73" in codes
-            emit("M70", unit.file, row, state.frame, ())
+            emit("M70", unit, row, state.frame, ())
         elif "M71" in codes:
             state.saved = None
         elif saved is None:
@@ -49,15 +50,15 @@ def restore(run: Run, unit: Unit, row: int, saved: Saved) -> None:
         message = "which modes come back here hangs on a code of the machine's own, of which the program tells nothing"
         raise state.fault("runtime-value", unit.file, row, Span(0, 0), message)
     if saved.modes.lost:
-        run.emit("M72", unit.file, row, state.frame)
+        run.out.emit("M72", unit, row, state.frame)
         state.machine.forget()
         return
     lines = state.machine.modes.restoring(saved.modes)
     if state.slot is saved:
-        run.emit("M72", unit.file, row, state.frame, lines)
+        run.out.emit("M72", unit, row, state.frame, lines)
     else:
         for text in lines:
-            run.emit(text, unit.file, row, state.frame)
+            run.out.emit(text, unit, row, state.frame)
     for text in lines:
         words = _WORD.findall(text)
         state.machine.block([letter for letter, _ in words], [float(number) for _, number in words], False)

@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from deburr.expand.rs274.comments import ABORTS
 from deburr.expand.rs274.words import COMMENT, codes_of, starts
-from deburr_grammar.dialects.rs274.outline import PROGRAM
+from deburr_grammar.dialects.rs274.outline import PROGRAM, aborts, computes_code
 from deburr_grammar.tree import Node, Token, tokens, walk
 
 if TYPE_CHECKING:
@@ -45,7 +44,7 @@ def is_plain(shape: Shape, reading: Reading) -> bool:
     if found is None:
         facts = shape.facts(reading)
         readable = reading.start is not None and not facts.problems and facts.kinds.isdisjoint(NOT_PLAIN)
-        found = readable and FLOW.isdisjoint(codes_of(shape)) and not ABORTS.search(shape.text)
+        found = readable and FLOW.isdisjoint(codes_of(shape)) and not aborts(shape.text)
         shape.memo[key] = found
     return bool(found)
 
@@ -63,9 +62,11 @@ def _fixed(shape: Shape) -> tuple[int, ...] | None:
     facts = shape.facts(PROGRAM)
     if facts.problems or not facts.kinds.isdisjoint(_OTHERS) or not FLOW.isdisjoint(codes_of(shape)):
         return None
+    if computes_code(shape.text, shape.tree(PROGRAM)):
+        return None
     comment = COMMENT.search(shape.text)
     end = len(shape.text) if comment is None else comment.start()
-    if ABORTS.search(shape.text) or any(
+    if aborts(shape.text) or any(
         part.start >= end for part in tokens(shape.tree(PROGRAM)) if part.kind not in _COMMENTS
     ):
         return None

@@ -82,7 +82,7 @@ class State:
         self.slot: Saved | None = None
         """What the flat program has saved: it has one place for all levels."""
         self.leaks = Leaks()
-        self.contour: list[tuple[str, str, int, Frame | None]] | None = None
+        self.contour: list[tuple[str, Unit, int, Frame | None]] | None = None
         """The lines of the contour that is being read for a lathe cycle."""
 
     def values(self) -> tuple[object, ...]:

@@ -22,6 +22,7 @@ from deburr_grammar.text import Span
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from deburr.expand.rs274.compiling import Compiler
     from deburr.expand.rs274.lines import Piece
     from deburr.expand.rs274.run import Run
     from deburr.expand.rs274.unit import Op, Unit
@@ -37,8 +38,8 @@ _Cut = tuple[int, int, int, int]
 class Template:
     """What lines of one shape, and of the same parameters, are compiled to."""
 
-    def __init__(self, run: Run, shape: Shape, source: Source) -> None:
-        self._run = run
+    def __init__(self, run: Run, compiler: Compiler, shape: Shape, source: Source) -> None:
+        self._compiler = compiler
         self._source = source
         numbers = Numbers(starts(shape.text))
         node = LineNode(shape.text, PROGRAM, shape)
@@ -49,7 +50,7 @@ class Template:
         self._number: Callable[[str], float] = (
             number if any(" " in said or "\t" in said for said in NUMBERS.findall(shape.text)) else float
         )
-        self._read = run.read(line)
+        self._read = compiler.read(line)
 
     def op(self, unit: Unit, row: int, text: str, found: Sequence[str]) -> Op:
         """One of the lines; ``found`` are all its numbers."""
@@ -58,7 +59,7 @@ class Template:
         own = [as_number(found[at]) for at in self._numbers.used]
         file = unit.file
         pieces = self._cut(text, found)
-        write = self._run.write(unit, row, self._line, pieces) if pieces or self._line.words else None
+        write = self._compiler.write(unit, row, self._line, pieces) if pieces or self._line.words else None
 
         def executed() -> int:
             source.file, source.row, source.text = file, row, text
@@ -85,8 +86,9 @@ class Template:
 class Templates:
     """The templates of one run."""
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: Run, compiler: Compiler) -> None:
         self._run = run
+        self._compiler = compiler
         self._known: dict[tuple[Shape, tuple[str, ...]], Template] = {}
 
     def op(self, unit: Unit, row: int, text: str, shape: Shape) -> Op:
@@ -98,7 +100,7 @@ class Templates:
             if len(self._known) >= _MOST:
                 self._known.clear()
             source = Source(unit.file, row, text, shape)
-            template = self._known[key] = Template(self._run, shape, source)
+            template = self._known[key] = Template(self._run, self._compiler, shape, source)
         return template.op(unit, row, text, found)
 
 

@@ -80,6 +80,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('param_range', 3, True, False, False, 'Nodes', {'kinds': ('param',), 'by_shape': False}, True),
     ('param_readonly', 3, True, False, False, 'Nodes', {'kinds': ('setting',), 'by_shape': False}, True),
     ('percent', 3, True, False, False, 'Whole', {}, False),
+    ('probe_in_place', 3, True, False, False, 'Whole', {}, False),
     ('program_end_missing', 3, True, False, False, 'Whole', {}, False),
     ('python_comment', 1, True, False, False, 'Text', {'pattern': '[(;][ \\t]*(?i:py(?:,|run,|reload))', 'signs': '(;'}, False),
     ('read_before_set', 2, True, False, False, 'Whole', {}, True),

@@ -1,22 +1,31 @@
-"""What a line does to the position of the tool, by its shape and the modal state: nothing, a move to a literal place, an arc, or nobody knows what."""
+"""What a line does to the position of the tool, by its words and the modal state: axes go to a literal place, a literal way further, or nobody knows where."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping, Set
 from enum import Enum
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.rules.rs274._words import ARCS, governs, motion, words
+from deburr.rules.rs274._words import ARCS, CYCLES, PROBES, governs, motion, values, words
+from deburr_grammar.dialects.rs274.modality import AXES
 from deburr_grammar.tree import Node, Token
 
 if TYPE_CHECKING:
     from deburr.modal import State
     from deburr.rule import Line
+    from deburr.rules.rs274._words import Words
     from deburr_grammar.dialect import Reading
     from deburr_grammar.line import Shape
 
+LINEAR = "XYZ"
+MUST_PROBE = frozenset(("G38.2", "G38.4"))
+"""Probes that are an error where they end without contact, or without losing it."""
+_OTHERS = AXES - set(LINEAR)
+MM_PER_INCH = 25.4
+
 
 class Modes(NamedTuple):
-    """What is in force when an arc is made; None: only the run knows it."""
+    """What is in force when a move is made; None: only the run knows it."""
 
     plane: str | None
     distance: str | None
@@ -24,50 +33,76 @@ class Modes(NamedTuple):
     units: str | None
 
 
-class Kind(Enum):
-    """What a line does to the position."""
+class Way(Enum):
+    """What becomes of a coordinate."""
 
-    SKIPS = "leaves the position as it is"
-    MOVES = "moves to where its words say"
-    SWITCHES = "changes the units, and may move"
-    LOSES = "leaves it uncertain where the tool stands"
+    TO = "it is the value of a word"
+    BY = "the value of a word is added"
+    LOST = "it is uncertain"
 
 
+class Change(NamedTuple):
+    """What a line does to the position.
+
+    ``factor``: what other units make of each coordinate before the line moves; None: nobody knows.
+    ``axes``: what becomes of coordinates, and by which word; all others stay.
+    """
+
+    factor: float | None
+    axes: Mapping[str, tuple[Way, str]]
+
+
+STAYS = Change(1.0, {})
+LOST = Change(1.0, {axis: (Way.LOST, axis) for axis in LINEAR})
 _HARMLESS_CODES = (
-    "G0 G1 G2 G3 G4 G17 G18 G19 G17.1 G18.1 G19.1 G28.1 G30.1 G61 G61.1 G64 G80 G90 G91 G90.1 G91.1 G93"
+    "G4 G17 G18 G19 G17.1 G18.1 G19.1 G28.1 G30.1 G61 G61.1 G64 G80 G90 G91 G90.1 G91.1 G93"
     " G94 G95 G96 G97 G98 G99 M0 M1 M3 M4 M5 M7 M8 M9 M19 M48 M49 M50 M51 M52 M53 M60 M62 M63 M64 M65 M66"
     " M67 M68"
 )
-_HARMLESS = frozenset(_HARMLESS_CODES.split())
+_MOVES = ARCS | {"G0", "G1"}
+_HARMLESS = frozenset(_HARMLESS_CODES.split()) | _MOVES | CYCLES | PROBES
 _LASTING = {"G40": "cutter-compensation", "G49": "tool-length", "G54": "coordinate-system", "G8": "lathe-diameter"}
 """Codes that change nothing where they are in force, or where nothing else has been."""
+_LENGTHS = frozenset(("G43", "G43.2", "G49"))
+"""Codes that bring offsets of the tool table into force, or take them away."""
 _UNITS = frozenset(("G20", "G21"))
-_MOVES = ARCS | {"G0", "G1"}
+_HOMES = frozenset(("G28", "G30"))
+_OWN_AXES = _HOMES | {"G10", "G43.1", "G52", "G53", "G92"}
+"""Codes that say what becomes of the axes on their line; of all others nothing changes."""
+_DEPTH = {"G17": "Z", "G18": "Y", "G19": "X"}
+"""The axis that canned cycles drill along."""
+_SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3")
 
 
-def without_words(reading: Reading, shape: Shape) -> Kind:
+def without_words(reading: Reading, shape: Shape) -> Change:
     """What a line without words does."""
     # A block, a call or a label: what ran before the next line is not certain. Settings may move offsets.
     facts = shape.facts(reading)
-    return Kind.LOSES if not facts.kinds.isdisjoint(("o_line", "setting")) or facts.problems else Kind.SKIPS
+    return LOST if not facts.kinds.isdisjoint(("o_line", "setting")) or facts.problems else STAYS
 
 
-def kind_of(line: Line, state: State) -> Kind:
-    """What a line with words does."""
+def counts(line: Line, state: State) -> bool:
+    """Whether what a line does hangs on numbers that its shape leaves out: G10 and repeated cycles."""
+    found = words(line)
+    return "G10" in found.has or ("L" in found.has and motion(found, state) in CYCLES)
+
+
+def change_of(line: Line, state: State, steady: Set[str]) -> Change:
+    """What a line with words does. ``steady``: axes along which no tool has an offset."""
     found = words(line)
     letters = [letter for letter in found.letters if letter not in "GM"]
     if not found.clear or len(letters) != len(set(letters)) or not line.node.kinds.isdisjoint(("DELETE", "setting")):
-        return Kind.LOSES
+        return LOST
     codes = {code for code in found.codes if code} - _HARMLESS
     codes -= {code for code in codes if _is_in_force(state, code)}
-    if codes - _UNITS or not found.has.isdisjoint("@^"):
-        return Kind.LOSES
-    if not found.axes:
-        return Kind.SWITCHES if codes else Kind.SKIPS
-    straight = motion(found, state) in _MOVES and governs(found, state, "distance") == "G90"
-    if not straight or not _is_literal(line, "XYZ") or _in_g7(state):
-        return Kind.LOSES
-    return Kind.SWITCHES if codes else Kind.MOVES
+    if codes - _UNITS - _LENGTHS - _OWN_AXES or _in_g7(state):
+        return LOST
+    axes = _axes(line, found, state)
+    for axis in LINEAR if codes & _LENGTHS else "":
+        # The offset comes before the move.
+        if axis not in steady and axes.get(axis, (Way.BY,))[0] is not Way.TO:
+            axes[axis] = (Way.LOST, axis)
+    return Change(_factor(found, state), axes)
 
 
 def _is_in_force(state: State, code: str) -> bool:
@@ -77,13 +112,103 @@ def _is_in_force(state: State, code: str) -> bool:
     return group is not None and (state.untouched(group) or state.code(group) == code)
 
 
+def _factor(found: Words, state: State) -> float | None:
+    """What the units of the line make of a length in those before it."""
+    new, old = found.of("units"), state.code("units")
+    if new in ("", old):
+        return 1.0
+    if old is None:
+        return None
+    return 1 / MM_PER_INCH if new == "G20" else MM_PER_INCH
+
+
+def _axes(line: Line, found: Words, state: State) -> dict[str, tuple[Way, str]]:
+    given = found.has.intersection(LINEAR)
+    own = found.has & _OWN_AXES
+    if own:
+        return _by_own(line, found, state, given)
+    if not found.axes:
+        return {}
+    made = motion(found, state)
+    if not found.has.isdisjoint("@^"):
+        given |= {"X", "Y"}
+    elif made in _MOVES:
+        return _moved(line, found, state, given)
+    elif made in CYCLES:
+        return _drilled(line, found, state, given)
+    elif made not in PROBES:
+        given = frozenset(LINEAR)
+    # A probe stops on its way, and a radius and an angle lead nobody knows where.
+    return _lost(given)
+
+
+def _by_own(line: Line, found: Words, state: State, given: Set[str]) -> dict[str, tuple[Way, str]]:
+    if "G92" in found.has:
+        return _literal(line, given, Way.TO)
+    if "G10" in found.has:
+        return _by_data(line, state, given)
+    # Home is where the machine has it: along the axes that are written, or all.
+    return _lost(given if given or found.has.isdisjoint(_HOMES) else LINEAR)
+
+
+def _by_data(line: Line, state: State, given: Set[str]) -> dict[str, tuple[Way, str]]:
+    """G10 L2 and L20: another system is nothing to the tool; L20 in the active one makes its axes what is written."""
+    said = values(line)
+    kind, number = said.get("L"), said.get("P")
+    if kind not in (2, 20) or number is None or number not in range(10) or "R" in said:
+        return _lost(LINEAR)
+    active = "G54" if state.untouched("coordinate-system") else state.code("coordinate-system")
+    if number and active is not None and active != _SYSTEMS[int(number) - 1]:
+        return {}
+    is_active = number == 0 or active is not None
+    return _literal(line, given, Way.TO) if kind == 20 and is_active else _lost(given)
+
+
+def _moved(line: Line, found: Words, state: State, given: Set[str]) -> dict[str, tuple[Way, str]]:
+    distance = governs(found, state, "distance")
+    if distance not in ("G90", "G91"):
+        return _lost(given)
+    return _literal(line, given, Way.TO if distance == "G90" else Way.BY)
+
+
+def _drilled(line: Line, found: Words, state: State, given: Set[str]) -> dict[str, tuple[Way, str]]:
+    """A cycle ends above its hole: where it began, or (G99) at R."""
+    depth = _DEPTH.get(governs(found, state, "plane") or "")
+    if depth is None:
+        return _lost(LINEAR)
+    absolute = governs(found, state, "distance") == "G90"
+    repeats = values(line)["L"] if "L" in found.has else 1.0
+    once = repeats is not None and (repeats == 1 or (absolute and repeats > 1))
+    across = _moved(line, found, state, given - {depth}) if once else _lost(given - {depth})
+    to_r = once and absolute and "R" in found.has and governs(found, state, "canned-cycle-return") == "G99"
+    above = (Way.TO if to_r and _is_literal(line, "R") else Way.LOST, "R")
+    return {**across, depth: above}
+
+
+def _literal(line: Line, axes: Iterable[str], way: Way) -> dict[str, tuple[Way, str]]:
+    return {axis: (way if _is_literal(line, axis) else Way.LOST, axis) for axis in axes}
+
+
+def _lost(axes: Iterable[str]) -> dict[str, tuple[Way, str]]:
+    return {axis: (Way.LOST, axis) for axis in axes}
+
+
 def arc_modes(line: Line, state: State) -> Modes | None:
     """Under which modes a line is an arc whose radius can be checked, wherever it leads to."""
+    return _modes(line, state, ARCS, "XYZIJKR")
+
+
+def probe_modes(line: Line, state: State) -> Modes | None:
+    """Under which modes a line is a probe along X, Y and Z alone that must end as it says."""
+    return _modes(line, state, MUST_PROBE, "XYZ") if words(line).has.isdisjoint(_OTHERS) else None
+
+
+def _modes(line: Line, state: State, motions: Set[str], letters: str) -> Modes | None:
     found = words(line)
-    if motion(found, state) not in ARCS or not _is_literal(line, "XYZIJKR") or _in_g7(state):
+    if motion(found, state) not in motions or not _is_literal(line, letters) or _in_g7(state):
         return None
-    letters = [letter for letter in found.letters if letter not in "GM"]
-    if len(letters) != len(set(letters)) or not found.has.isdisjoint(("@", "^", "G7")):
+    said = [letter for letter in found.letters if letter not in "GM"]
+    if len(said) != len(set(said)) or not found.has.isdisjoint(("@", "^", "G7")):
         return None
     if governs(found, state, "cutter-compensation") != "G40":
         return None

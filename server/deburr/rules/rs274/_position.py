@@ -1,15 +1,16 @@
-"""Where the tool stands along a program, as far as literal words say it, and the arcs on the way. Never guesses: what is not certain is None."""
+"""Where the tool stands along a program, as far as literal words say it, and the moves on the way that a rule looks at. Never guesses: what is not certain is None."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from math import inf, isinf
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from math import isnan, nan
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from deburr.formats.tools import read
 from deburr.modal import Modal, State, modal_of
 from deburr.rule import Line
-from deburr.rules.rs274._moves import Kind, Modes, arc_modes, kind_of, without_words
+from deburr.rules.rs274._moves import LINEAR, STAYS, Change, Modes, Way, change_of, counts, without_words
 from deburr.rules.rs274._words import values, words
 from deburr_grammar.line import LineNode
 
@@ -19,128 +20,167 @@ if TYPE_CHECKING:
     from deburr_grammar.document import Piece
     from deburr_grammar.line import Shape
 
-Position = tuple[float | None, float | None, float | None]
+Point = tuple[float | None, float | None, float | None]
 """X, Y and Z in the units in force."""
-HOME: Position = (0.0, 0.0, 0.0)
+HOME: Point = (0.0, 0.0, 0.0)
 """Where a program starts for the interpreter."""
-NOWHERE: Position = (None, None, None)
-_BEFORE = inf
-_BEFORE_IF_ZERO = -inf
-"""No positions: what stood there before, and that if it was zero."""
-_AS_BEFORE: Position = (_BEFORE, _BEFORE, _BEFORE)
 
 
-class Arc(NamedTuple):
-    """An arc: what is in force, where it starts, and its words."""
+class Move(NamedTuple):
+    """A move: what is in force, where it starts, and its words."""
 
     modes: Modes
-    start: Position
+    start: Point
     numbers: dict[str, float]
 
 
-Judge = Callable[[Arc], str]
-"""What is wrong with an arc, or nothing."""
-Faults = tuple[tuple[int, str], ...]
-"""Lines of a chunk, counted from its first, and what is wrong with the arcs there."""
+class Watch(NamedTuple):
+    """What a rule looks at.
+
+    ``sign``, ``words``: a line is such a move by what the one finds, and by one of these letters and codes, or follows one.
+    ``modes``: under which modes it is made; None: it is no such move.
+    ``needs_start``: whether where it starts has a say under these modes.
+    ``judge``: what is wrong with one, or nothing.
+    """
+
+    name: str
+    sign: re.Pattern[str]
+    words: frozenset[str]
+    modes: Callable[[Line, State], Modes | None]
+    needs_start: Callable[[Modes], bool]
+    judge: Callable[[Move], str]
+
+
+class _From(NamedTuple):
+    """A coordinate by what it was at the start of a chunk: so many times that (no number: nobody knows how many), plus so much."""
+
+    times: float
+    plus: float
+
+
+_Place = tuple[_From | None, _From | None, _From | None]
+_BEFORE = _From(1.0, 0.0)
+_START: _Place = (_BEFORE, _BEFORE, _BEFORE)
+
+
+class _Open(NamedTuple):
+    """A move that starts where a chunk starts, or so much further."""
+
+    line: int
+    modes: Modes
+    start: _Place
+    numbers: dict[str, float]
+
+
+class _Way(NamedTuple):
+    """A chunk: its lines, counted from its first, with moves in which something is wrong, moves that hang on what stands before it, and where it leads."""
+
+    faults: tuple[tuple[int, str], ...]
+    open: tuple[_Open, ...]
+    end: _Place
 
 
 class _Step(NamedTuple):
-    """A shape under a state: what it does to the position, whether it must be looked at, under which modes it is an arc, how its words are read, the axes in it, the state behind it (None: it depends on the line)."""
+    """A shape under a state: what it does to the position (None: that hangs on numbers of the line), whether it must be looked at, under which modes it is a move to look at, how its words are read, the state behind it (None: it depends on the line)."""
 
-    kind: Kind
+    change: Change | None
     matters: bool
-    arc: Modes | None
+    modes: Modes | None
     simple: bool
-    axes: frozenset[str]
     after: State | None
 
 
-_ARC = re.compile(r"[IJKRijkr]|[Gg][^A-Za-z]*[23]")
-"""What a line may be an arc by."""
 _SIMPLE = re.compile(r"[ \t]*(?:[A-Za-z][+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)[ \t]*)+")
 _WORD = re.compile(r"([IJKRXYZ])([+-]?[0-9.]+)")
+_OF_TOOLS = (1, 10, 11)
+"""L words of G10 that change the tool table."""
 
 
-def faults(analysis: Analysis, judge: Judge) -> Iterator[tuple[int, str]]:
-    """The lines of arcs with which something is wrong, and what. Where a chunk has no arcs, nothing is followed."""
+def faults(analysis: Analysis, watch: Watch) -> Iterator[tuple[int, str]]:
+    """The lines of moves with which something is wrong, and what. Where a chunk has none to look at, nothing is followed."""
     stateful = analysis.ruleset.stateful
     fold = modal_of(analysis.dialect)
     if stateful is None or fold is None:
         return
-    walk = _Walk(analysis, fold, judge)
-    behind = HOME
+    walk = _Walk(analysis, fold, watch)
+    here = HOME
     passed: list[tuple[Piece, State]] = []
     for piece, state in stateful.states(analysis.document):
-        if not walk.has_arcs(piece):
+        if not walk.concerns(piece):
             passed.append((piece, state))
             continue
-        found, behind = walk.through(piece, state, walk.behind(passed, behind))
+        here = walk.behind(passed, here)
         passed.clear()
-        yield from ((piece.line + index, why) for index, why in found)
+        way = walk.through(piece, state)
+        said = [(move.line, watch.judge(Move(move.modes, _at(move.start, here), move.numbers))) for move in way.open]
+        yield from ((piece.line + index, why) for index, why in sorted([*way.faults, *said]) if why)
+        here = _at(way.end, here)
 
 
 class _Walk:
     """Follows the position through chunks."""
 
-    def __init__(self, analysis: Analysis, fold: Modal, judge: Judge) -> None:
-        self._judge = judge
+    def __init__(self, analysis: Analysis, fold: Modal, watch: Watch) -> None:
+        self._watch = watch
         self._document = analysis.document
         self._settings = analysis.settings
         self._fold = fold
         self._steps: dict[tuple[State, str], dict[Shape, _Step]] = {}
+        self._steady = _steady(analysis)
 
-    def has_arcs(self, piece: Piece) -> bool:
-        """Whether any line may be an arc."""
-        key = ("rs274 has arcs", self._document.key(piece))
+    def concerns(self, piece: Piece) -> bool:
+        """Whether any line may be a move to look at."""
+        key = ("rs274 has", self._watch.name, self._document.key(piece))
         if key not in piece.chunk.memo:
-            piece.chunk.memo[key] = any(self._may_be_arc(reading, shape) for reading, shape in piece.distinct())
+            piece.chunk.memo[key] = any(self._may_be_one(reading, shape) for reading, shape in piece.distinct())
         found: bool = piece.chunk.memo[key]
         return found
 
-    def behind(self, passed: Sequence[tuple[Piece, State]], start: Position) -> Position:
-        """The position behind chunks without arcs, seen from the last one: mostly it says all."""
-        position = _AS_BEFORE
+    def behind(self, passed: Sequence[tuple[Piece, State]], start: Point) -> Point:
+        """The position behind chunks without such moves, seen from the last one: mostly it says all."""
+        place = _START
         for piece, state in reversed(passed):
-            if not any(value is not None and isinf(value) for value in position):
-                return position
-            position = _filled(position, self.through(piece, state, _AS_BEFORE)[1])
-        return _filled(position, start)
+            if all(each is None or not each.times for each in place):
+                break
+            place = _after(self.through(piece, state).end, place)
+        return _at(place, start)
 
-    def through(self, piece: Piece, state: State, position: Position) -> tuple[Faults, Position]:
-        """What is wrong with the arcs of a chunk, and the position behind it; kept with the chunk."""
-        key = ("rs274 arcs", self._document.key(piece), state, position)
-        kept: tuple[Faults, Position] | None = piece.chunk.memo.get(key)
+    def through(self, piece: Piece, state: State) -> _Way:
+        """What is wrong with the moves of a chunk, and where it leads; kept with the chunk."""
+        key = ("rs274 moves", self._watch.name, self._document.key(piece), state, self._steady)
+        kept: _Way | None = piece.chunk.memo.get(key)
         if kept is None:
-            kept = piece.chunk.memo[key] = self._through(piece, state, position)
+            kept = piece.chunk.memo[key] = self._through(piece, state)
         return kept
 
-    def _may_be_arc(self, reading: Reading, shape: Shape) -> bool:
-        if reading.start is None or "word" not in shape.facts(reading).kinds or not _ARC.search(shape.text):
+    def _may_be_one(self, reading: Reading, shape: Shape) -> bool:
+        if reading.start is None or "word" not in shape.facts(reading).kinds or not self._watch.sign.search(shape.text):
             return False
-        return not words(self._sample(reading, shape)).has.isdisjoint(("G2", "G3", "I", "J", "K", "R"))
+        return not words(self._sample(reading, shape)).has.isdisjoint(self._watch.words)
 
-    def _through(self, piece: Piece, state: State, position: Position) -> tuple[Faults, Position]:
-        found: list[tuple[int, str]] = []
+    def _through(self, piece: Piece, state: State) -> _Way:
         held: dict[int, list[Bracket]] = {}
         for index, bracket in piece.outlined.brackets:
             held.setdefault(index, []).append(bracket)
         lines = piece.chunk.lines if piece.chunk.marked else ()
-        path = _Path(position, piece, self._settings)
+        path = _Path(piece, self._settings, self._watch)
         for reading, first, shapes in piece.read():
             steps = self._under(state, reading)
             for index, shape in enumerate(shapes, first):
                 step = steps.get(shape) or self._step(state, reading, shape)
                 if step.matters:
-                    if step.arc is not None and (why := self._judge(path.arc(index, step))):
-                        found.append((index, why))
-                    path.go(index, step)
+                    change = step.change
+                    if change is None:
+                        line = Line(piece.node(index), self._settings)
+                        change = change_of(line, state, self._steady)
+                    path.go(index, change, step.modes, step.simple)
                 after = step.after
                 if after is None:
                     after = self._fold.marked(state, LineNode(lines[index], reading, shape), held.get(index, ()))
                 if after is not state:
                     state = after
                     steps = self._under(state, reading)
-        return tuple(found), path.position()
+        return path.way()
 
     def _under(self, state: State, reading: Reading) -> dict[Shape, _Step]:
         return self._steps.setdefault((state, reading.name), {})
@@ -148,14 +188,13 @@ class _Walk:
     def _step(self, state: State, reading: Reading, shape: Shape) -> _Step:
         after = None if shape.marked else self._fold.plain(state, reading, shape)
         if reading.start is None or "word" not in shape.facts(reading).kinds:
-            kind = without_words(reading, shape)
-            step = _Step(kind, kind is not Kind.SKIPS, None, False, frozenset(), after)
+            change = without_words(reading, shape)
+            step = _Step(change, change != STAYS, None, False, after)
         else:
             line = self._sample(reading, shape)
-            kind, arc = kind_of(line, state), arc_modes(line, state)
-            simple = _SIMPLE.fullmatch(shape.text) is not None
-            axes = words(line).has & {"X", "Y", "Z"}
-            step = _Step(kind, arc is not None or kind is not Kind.SKIPS, arc, simple, axes, after)
+            modes, simple = self._watch.modes(line, state), _SIMPLE.fullmatch(shape.text) is not None
+            own = None if counts(line, state) else change_of(line, state, self._steady)
+            step = _Step(own, modes is not None or own != STAYS, modes, simple, after)
         self._under(state, reading)[shape] = step
         return step
 
@@ -164,76 +203,125 @@ class _Walk:
 
 
 class _Path:
-    """The way through a chunk. Moves are only read when an arc, or the end, asks where they have led."""
+    """The way through a chunk. Lines are only read when a move to look at, or the end, asks where they have led."""
 
-    def __init__(self, start: Position, piece: Piece, settings: Mapping[str, Any]) -> None:
-        self._start = start
+    def __init__(self, piece: Piece, settings: Mapping[str, Any], watch: Watch) -> None:
+        self._place = _START
         self._piece = piece
         self._lines = piece.chunk.lines
         self._settings = settings
-        self._moves: list[tuple[int, _Step]] = []
+        self._watch = watch
+        self._moves: list[tuple[int, Change, bool]] = []
         self._last: tuple[int, dict[str, float]] = (-1, {})
+        self._faults: list[tuple[int, str]] = []
+        self._open: list[_Open] = []
 
-    def go(self, index: int, step: _Step) -> None:
-        """Follow a line."""
-        match step.kind:
-            case Kind.MOVES:
-                self._moves.append((index, step))
-            case Kind.SWITCHES:
-                self._start = _switched(self.position())
-                self._moves.append((index, step))
-            case Kind.LOSES:
-                self._start, self._moves = NOWHERE, []
+    def go(self, index: int, change: Change, modes: Modes | None, simple: bool) -> None:
+        """Follow a line. ``simple``: whether it holds nothing but letters and plain numbers."""
+        if change.factor != 1:
+            self._place = _scaled(self._reckoned(), change.factor)
+        if modes is not None:
+            self._look_at(_Open(index, modes, self._reckoned(), self._numbers(index, simple)))
+        if change.axes:
+            self._moves.append((index, change, simple))
 
-    def arc(self, index: int, step: _Step) -> Arc:
-        """The arc that a line is."""
-        assert step.arc is not None
-        start = self.position()
-        return Arc(step.arc, _switched(start) if step.kind is Kind.SWITCHES else start, self._numbers(index, step))
+    def way(self) -> _Way:
+        """All of it."""
+        return _Way(tuple(self._faults), tuple(self._open), self._reckoned())
 
-    def position(self) -> Position:
-        """Where the moves have led."""
-        x, y, z = self._start
-        left = "XYZ"
-        for index, step in reversed(self._moves):
-            if step.axes.isdisjoint(left):
-                continue
-            numbers = self._numbers(index, step)
-            x = numbers["X"] if "X" in left and "X" in step.axes else x
-            y = numbers["Y"] if "Y" in left and "Y" in step.axes else y
-            z = numbers["Z"] if "Z" in left and "Z" in step.axes else z
-            left = "".join(axis for axis in left if axis not in step.axes)
+    def _look_at(self, move: _Open) -> None:
+        if self._watch.needs_start(move.modes) and any(each is not None and each.times for each in move.start):
+            self._open.append(move)
+        elif why := self._watch.judge(Move(move.modes, _at(move.start, HOME), move.numbers)):
+            self._faults.append((move.line, why))
+
+    def _reckoned(self) -> _Place:
+        """Where the moves have led: each coordinate from the last place that is known, and all ways behind it."""
+        found = dict(zip(LINEAR, self._place))
+        ways: dict[str, list[float]] = {axis: [] for axis in LINEAR}
+        left = set(LINEAR)
+        for index, change, simple in reversed(self._moves):
+            for axis in left.intersection(change.axes):
+                way, letter = change.axes[axis]
+                number = None if way is Way.LOST else self._numbers(index, simple).get(letter)
+                if number is not None and way is Way.BY:
+                    ways[axis].append(number)
+                    continue
+                found[axis] = None if number is None else _From(0.0, number)
+                left.remove(axis)
             if not left:
                 break
-        self._start, self._moves = (x, y, z), []
-        return self._start
+        x, y, z = (_further(found[axis], ways[axis]) for axis in LINEAR)
+        self._place, self._moves = (x, y, z), []
+        return self._place
 
-    def _numbers(self, index: int, step: _Step) -> dict[str, float]:
+    def _numbers(self, index: int, simple: bool) -> dict[str, float]:
         """The words of a line that are numbers. Arc follows arc, so the last one is often asked for again."""
         if index != self._last[0]:
-            self._last = (index, self._read(index, step))
+            self._last = (index, self._read(index, simple))
         return self._last[1]
 
-    def _read(self, index: int, step: _Step) -> dict[str, float]:
-        if step.simple:
+    def _read(self, index: int, simple: bool) -> dict[str, float]:
+        if simple:
             return {letter: float(number) for letter, number in _WORD.findall(self._lines[index].upper())}
         found = values(Line(self._piece.node(index), self._settings))
         return {letter: number for letter, number in found.items() if number is not None}
 
 
-def _switched(position: Position) -> Position:
-    """Where the tool stands in other units: only zero is the same."""
-    x, y, z = (
-        0.0 if value == 0 else _BEFORE_IF_ZERO if value is not None and isinf(value) else None for value in position
-    )
+def _steady(analysis: Analysis) -> frozenset[str]:
+    """The axes along which no tool of the configured table has an offset; none if the table is not known, or the program changes it."""
+    path = analysis.settings["tool-table"]
+    table = analysis.host.read(path) if path else None
+    if table is None or any(_changes_tools(piece, analysis) for piece in analysis.document.pieces()):
+        return frozenset()
+    return frozenset(axis for axis in LINEAR if not any(tool.get(axis) for tool in read(table).words.values()))
+
+
+def _changes_tools(piece: Piece, analysis: Analysis) -> bool:
+    for reading, first, shapes in piece.read():
+        data = {shape for shape in set(shapes) if "word" in shape.facts(reading).kinds and "10" in shape.text}
+        for index, shape in enumerate(shapes, first) if data else ():
+            if shape in data:
+                line = Line(piece.node(index), analysis.settings)
+                if "G10" in words(line).has and values(line).get("L") not in (2, 20):
+                    return True
+    return False
+
+
+def _further(place: _From | None, ways: list[float]) -> _From | None:
+    """A coordinate behind ways of which the last stands first."""
+    if place is None:
+        return None
+    plus = place.plus
+    for way in reversed(ways):
+        plus += way
+    return _From(place.times, plus)
+
+
+def _scaled(place: _Place, factor: float | None) -> _Place:
+    """The same place in other units: where nobody knows which they were, only zero is the same."""
+    x, y, z = (each and _joined(each, _From(nan if factor is None else factor, 0.0)) for each in place)
     return x, y, z
 
 
-def _filled(position: Position, before: Position) -> Position:
-    """A position with what stood before where it says so."""
-    switched = _switched(before)
-    x, y, z = (
-        old if now == _BEFORE else zero if now == _BEFORE_IF_ZERO else now
-        for now, old, zero in zip(position, before, switched)
-    )
+def _after(first: Iterable[_From | None], then: _Place) -> _Place:
+    """One way behind another."""
+    x, y, z = (two if two is None or not two.times else one and _joined(one, two) for one, two in zip(first, then))
     return x, y, z
+
+
+def _at(place: _Place, start: Point) -> Point:
+    """A place by where its chunk starts."""
+    there = _after((None if x is None else _From(0.0, x) for x in start), place)
+    x, y, z = (each and each.plus for each in there)
+    return x, y, z
+
+
+def _joined(one: _From, two: _From) -> _From | None:
+    plus = _times(two.times, one.plus) + two.plus
+    return None if isnan(plus) else _From(_times(two.times, one.times), plus)
+
+
+def _times(factor: float, value: float) -> float:
+    """A product in which zero is zero whatever the factor."""
+    return factor * value if value else 0.0

@@ -5,9 +5,10 @@ of the radius in a large arc, up to 2.8 mm (0.28 inch). A radius R must reach fr
 (0.00005 inch), the ends must not be one point, and no radius may be zero. The control stops, as with
 "Radius to end of arc differs from radius to start".
 
-The start is known as long as absolute moves (G90) with literal numbers lead to it. At the beginning of the
-program it is taken for X0 Y0 Z0, as the control's preview does: an arc from wherever
-the machine happens to stand is none that anyone could mean.
+The start is known as long as moves, steps, cycles and offsets with literal numbers lead to it. What only
+the machine knows (offsets that were stored, where a probe stops, home) leaves it unknown until the next
+absolute move. At the beginning of the program it is taken for X0 Y0 Z0, as the control's preview does: an
+arc from wherever the machine happens to stand is none that anyone could mean.
 
 Source: spec/rs274.md §8, §10
 
@@ -58,6 +59,21 @@ Bad:
     G2 X2 Z2 K0.5
     ^^
 
+Bad:
+
+    F100
+    G91 G0 X5
+    G90 G2 X10 I4
+        ^^
+
+Bad:
+
+    F100
+    G0 X25.4
+    G20
+    G2 X2 I0.3
+    ^^
+
 Good:
 
     F100
@@ -69,6 +85,7 @@ Good:
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import cache
 from math import hypot
@@ -76,8 +93,8 @@ from typing import NamedTuple
 
 from deburr.analysis import Analysis
 from deburr.rule import Line, Report, Severity, Whole, rule
-from deburr.rules.rs274._moves import Modes
-from deburr.rules.rs274._position import Arc, faults
+from deburr.rules.rs274._moves import Modes, arc_modes
+from deburr.rules.rs274._position import Move, Watch, faults
 from deburr.rules.rs274._words import ARCS, node, said, words
 from deburr_grammar.dialects.rs274.modality import AXES
 from deburr_grammar.text import Span
@@ -121,7 +138,7 @@ _CENTRES = frozenset("IJK")
 @rule(Severity.ERROR, Whole())
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the arcs."""
-    for at, why in faults(analysis, _why):
+    for at, why in faults(analysis, _WATCH):
         line = Line(analysis.document.node(at), analysis.settings)
         found = words(line)
         number = found.first(*(AXES | {"I", "J", "K"} if ARCS.isdisjoint(found.has) else ARCS))
@@ -129,7 +146,7 @@ def check(analysis: Analysis) -> Iterator[Report]:
         yield Report(Span(word.start, word.end), f"`{said(line, number)}` {why}", at)
 
 
-def _why(arc: Arc) -> str:
+def _why(arc: Move) -> str:
     """What is wrong with an arc, or nothing."""
     plan, numbers = _plan(arc.modes), arc.numbers
     if plan is None:
@@ -145,6 +162,20 @@ def _why(arc: Arc) -> str:
         return ""
     offset = [_way(from_, numbers.get(letter), plan.centre_steps) for from_, letter in zip(here, plan.centre)]
     return _of_centre(offset, end, plan.limits)
+
+
+def _hangs_on_start(modes: Modes) -> bool:
+    return not (modes.distance == "G91" and modes.centre == "G91.1")
+
+
+_WATCH = Watch(
+    "arcs",
+    re.compile(r"[IJKRijkr]|[Gg][^A-Za-z]*[23]"),
+    ARCS | {"I", "J", "K", "R"},
+    arc_modes,
+    _hangs_on_start,
+    _why,
+)
 
 
 @cache

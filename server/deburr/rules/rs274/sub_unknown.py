@@ -5,6 +5,8 @@ folder or in one of the setting `subroutine-path`. The control stops with "EOF i
 o-word" where it finds none. In a file that only defines subprograms the program that calls it may
 have the missing one; there it is a warning.
 
+`M98 P100` runs what stands behind a bare `O100`. Where it comes to `o100 sub` first, the control stops there.
+
 A subprogram behind M2 is looked for from the call on downward: one that stands above a call in
 another subprogram behind M2 is not found.
 

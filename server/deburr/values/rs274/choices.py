@@ -9,8 +9,8 @@ from deburr.finding import Severity
 from deburr.values.graph import Calls, Dead, Env, Flows, Loop, Proof
 from deburr.values.rs274.conditions import Conditions
 from deburr.values.rs274.expressions import NEAR
-from deburr.values.rs274.lines import aborts
 from deburr.values.rs274.made import Block, Made
+from deburr_grammar.dialects.rs274.outline import aborts
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node as Part
 from deburr_grammar.tree import Token, walk

@@ -9,7 +9,7 @@ from deburr.values.graph import RETURN, STOP, Calls, Env, Flows, Proof
 from deburr.values.rs274.choices import Choices
 from deburr.values.rs274.entering import Entering
 from deburr.values.rs274.keys import ANYTHING, put, set_by
-from deburr.values.rs274.lines import aborts
+from deburr_grammar.dialects.rs274.outline import aborts
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node as Part
 

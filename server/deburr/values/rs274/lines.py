@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache, partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr_grammar.dialects.rs274.outline import codes
+from deburr_grammar.dialects.rs274.outline import aborts, codes, computes_code
 from deburr_grammar.tree import Token
 
 if TYPE_CHECKING:
@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 UNSEEN = " "
 """The label of a call of which only the run knows where it leads. No label has a blank in it."""
 _PARTS = frozenset(("param", "setting", "o_line", "PERCENT"))
+_CALCULATED = frozenset(("group", "function"))
 _BY_NUMBER = re.compile(r"[Mm][ \t]*0*[ \t]*9[ \t]*[89](?![0-9])|[Gg][ \t]*0*[ \t]*7[ \t]*[0-2](?![0-9])")
 _CONTOURS = frozenset(("G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2"))
-_ABORTS = re.compile(r"\([ \t]*abort[ \t]*,", re.I)
 _KEY = "rs274 values"
 _MOST = 20_000
 """Lines that take part. Of a program with more nothing is said: it is a list of moves, made by a machine."""
@@ -63,11 +63,6 @@ def concerns(document: Document) -> bool:
     return _VALUES in document.gathered((_KEY, None), partial(_marks, None))
 
 
-def aborts(text: str) -> bool:
-    """Whether a comment of a line may stop the program."""
-    return _ABORTS.search(text) is not None
-
-
 @lru_cache(8)
 def _written(remapped: tuple[str, ...]) -> re.Pattern[str] | None:
     """What finds codes that are remapped, however they are written; rather too many than too few."""
@@ -99,7 +94,9 @@ def _takes_part(shape: Shape, reading: Reading) -> bool:
     facts = shape.facts(reading)
     if not facts.kinds.isdisjoint(_PARTS) or (facts.problems and "#" in shape.text):
         return True
-    return shape.needs_depth or _BY_NUMBER.search(shape.text) is not None or aborts(shape.text)
+    if shape.needs_depth or _BY_NUMBER.search(shape.text) is not None or aborts(shape.text):
+        return True
+    return not facts.kinds.isdisjoint(_CALCULATED) and computes_code(shape.text, shape.tree(reading))
 
 
 def _several(piece: Piece, foreign: re.Pattern[str] | None) -> int:
