@@ -14,7 +14,7 @@ pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
 
 from playwright.sync_api import Browser, expect
 
-from support import vscode
+from support import pictures, vscode
 from support.editors import TASKS, Task, written
 from support.vscode import Workbench, code_server, colours, workbench
 
@@ -181,3 +181,53 @@ def test_a_broken_setting_is_said_with_a_way_out(vsix: Path, window: Browser, tm
         )
         expect(toast).to_be_visible()
         expect(toast.get_by_role("button", name="Open Settings")).to_be_visible()
+
+
+ROUND = """G21 G90 G17 F300
+G0 X0 Y0 Z5
+#1 = 0
+o1 while [#1 LT 3]
+  G0 X[#1 * 25] Y0
+  G1 Z-1
+  G3 X[#1 * 25] Y20 J10
+  G0 Z5
+  #1 = [#1 + 1]
+o1 endwhile
+M2
+"""
+ARCS = [3, 7, 11]
+"""Moves that line 7 makes: behind the first rapid each pass makes four, the third of them is the arc."""
+
+
+def test_the_toolpath_is_drawn_and_moves_and_lines_find_each_other(
+    window: Browser, trusted: str, tmp_path: Path
+) -> None:
+    (tmp_path / "round.ngc").write_text(ROUND)
+    with workbench(window, trusted, tmp_path, "toolpath") as opened:
+        page = opened.page
+        opened.open("round.ngc")
+        opened.command("deburr: Show Toolpath")
+        view = page.frame_locator("iframe.webview").frame_locator("#active-frame")
+        view.locator("#deburr[data-ready='13']").wait_for()
+        canvas = view.locator("#stage canvas")
+        whole = pictures.colours(window, canvas.screenshot())
+        assert pictures.drawn(whole) > 500, "the view is not blank"
+        expect(view.locator("#facts .bounds").first).to_have_text("all moves: X 0 to 60, Y 0 to 20, Z -1 to 5 mm")
+
+        frame = next(each for each in page.frames if each.locator("#deburr").count())
+        canvas.click(position=frame.evaluate(f"deburr.middleOf({ARCS[1]})"))
+        expect(view.locator("#selected .frame")).to_have_text("pass 2 of the loop in round.ngc:4")
+        expect(page.locator(".statusbar-item", has_text="Ln 7, Col 1")).to_be_visible()
+
+        opened.go_to(6)
+        expect(view.locator("#selected")).to_have_text("round.ngc:6: 3 moves")
+        opened.go_to(7)
+        expect(view.locator("#selected")).to_have_text("round.ngc:7: 3 moves")
+        assert frame.evaluate("deburr.lit") == ARCS
+        page.wait_for_timeout(300)
+        assert pictures.red(pictures.colours(window, canvas.screenshot())) > 50
+
+        opened.go_to(4, 15)
+        page.keyboard.type("1")
+        view.locator("#deburr[data-ready='53']").wait_for()
+        assert opened.outside == []

@@ -4,6 +4,7 @@ import type { Location, Position } from 'vscode-languageclient/node';
 import { openExample } from './examples';
 import { ExpandView } from './expandView';
 import { Inputs } from './inputs';
+import { PlotView } from './plotView';
 import { report } from './report';
 import { SavedExpansion } from './saved';
 import { Server } from './server';
@@ -18,7 +19,8 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const inputs = new Inputs(context.workspaceState, server);
   const view = new ExpandView(server, inputs);
   const saved = new SavedExpansion(server, inputs);
-  context.subscriptions.push(log, server, view, saved, new Status(server), ...commands(server, view, inputs, saved), ...helping(context, server, log));
+  const plots = new PlotView(context, server, inputs);
+  context.subscriptions.push(log, server, view, saved, plots, new Status(server), ...commands(server, view, inputs, saved, plots), ...helping(context, server, log));
   context.subscriptions.push(
     vscode.workspace.onDidGrantWorkspaceTrust(() => void server.start()),
     vscode.workspace.onDidChangeConfiguration((event) => {
@@ -28,7 +30,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   await server.start();
 }
 
-function commands(server: Server, view: ExpandView, inputs: Inputs, saved: SavedExpansion): vscode.Disposable[] {
+function commands(server: Server, view: ExpandView, inputs: Inputs, saved: SavedExpansion, plots: PlotView): vscode.Disposable[] {
   const register = vscode.commands.registerCommand;
   const editor = (act: (editor: vscode.TextEditor) => Promise<unknown>) => async () => {
     const active = vscode.window.activeTextEditor;
@@ -40,10 +42,11 @@ function commands(server: Server, view: ExpandView, inputs: Inputs, saved: Saved
       const source = uri instanceof vscode.Uri ? uri : vscode.window.activeTextEditor?.document.uri;
       if (source) await view.open(source);
     }),
+    register('deburr.showToolpath', editor(async (active) => plots.open(active.document.uri))),
     register('deburr.goToSource', editor((active) => view.goToSource(active))),
     register('deburr.showLines', editor((active) => view.showLines(active))),
     register('deburr.diffExpansion', editor((active) => saved.compare(active.document.uri))),
-    register('deburr.setInputs', editor(async ({ document }) => (await inputs.ask(document.uri)) && view.refresh())),
+    register('deburr.setInputs', editor(async ({ document }) => (await inputs.ask(document.uri)) && (view.refresh(), plots.refresh()))),
     register('deburr.showReferences', (uri: string, position: Position, places: Location[]) => server.showReferences(uri, position, places)),
   ];
 }

@@ -149,10 +149,11 @@ export class Scene {
     return [...row(0, w / 2, w / 2), ...row(1, -h / 2, h / 2), ...row(2, 1, 0)];
   }
 
-  /** The three corners of the bounding box that carry the axes' names, and where they lie on the canvas. */
-  axes(): { x: number; y: number }[] {
+  /** Where on the canvas the axes' names stand: behind three corners of the bounding box, as far as it goes along them. */
+  axes(): ({ x: number; y: number } | undefined)[] {
     const reach = 1.06;
     return [0, 1, 2].map((axis) => {
+      if (this.low[axis] === this.high[axis]) return undefined;
       const at = new Vector3(...this.low);
       at.setComponent(axis, this.low[axis]! + (this.high[axis]! - this.low[axis]!) * reach);
       at.project(this.camera);

@@ -166,7 +166,10 @@ export class Viewer {
   }
 
   private label(): void {
-    this.scene?.axes().forEach(({ x, y }, axis) => (this.names[axis]!.style.transform = `translate(${x}px, ${y}px)`));
+    this.scene?.axes().forEach((place, axis) => {
+      this.names[axis]!.hidden = !place;
+      if (place) this.names[axis]!.style.transform = `translate(${place.x}px, ${place.y}px)`;
+    });
   }
 
   private say(header: Header): void {
