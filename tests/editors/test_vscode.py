@@ -227,7 +227,7 @@ def test_the_toolpath_is_drawn_and_moves_and_lines_find_each_other(
         page.wait_for_timeout(300)
         assert pictures.red(pictures.colours(window, canvas.screenshot())) > 50
 
-        opened.go_to(4, 15)
+        opened.go_to(4, 17)
         page.keyboard.type("1")
         view.locator("#deburr[data-ready='53']").wait_for()
         assert opened.outside == []

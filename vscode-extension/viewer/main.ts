@@ -77,12 +77,19 @@ function inEditor(root: HTMLElement, editor: Editor): void {
   root.append(state, stage);
   let header: Header | undefined;
   let cursor: { uri: string; line: number } | undefined;
+  let chosen: { uri: string | undefined; line: number } | undefined;
   const viewer = new Viewer(stage, {
-    chosen: (source, line) => editor.postMessage({ type: 'chosen', uri: header?.sources[source]?.uri, line }),
+    chosen: (source, line) => {
+      chosen = { uri: header?.sources[source]?.uri, line };
+      editor.postMessage({ type: 'chosen', ...chosen });
+    },
     line: () => '',
   });
   window.deburr = viewer;
   const follow = (): void => {
+    // The cursor goes to the line of the move that was chosen here: that one goes on to shine alone.
+    if (chosen && chosen.uri === cursor?.uri && chosen.line === cursor?.line) return;
+    chosen = undefined;
     const source = viewer.path?.header.sources.findIndex(({ uri }) => uri === cursor?.uri) ?? -1;
     if (cursor && source >= 0) viewer.light(source, cursor.line);
   };

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from math import floor, sqrt
+from math import sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.motion import Kind
 from deburr.motion.arcs import points
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Iterator, Sequence
 
     from deburr.motion import Arc, Path
     from deburr.motion.path import Point
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 MOST = 200_000
 """More segments than these are not drawn one by one."""
-_FINE = 2_000
+_FINE = 1_000
 """The first tolerance that is tried: this part of the way across, less than a pixel of most pictures."""
 
 
@@ -68,28 +68,32 @@ def _clustered(path: Path, low: Point, tolerance: float, most: int) -> list[Segm
 
     A cell's diagonal is the tolerance: no point moves further, so no point of a segment does.
     """
-    nearest = _cells(low, tolerance / sqrt(3))
+    cells = sqrt(3) / tolerance
+    left, front, bottom = low
+    firsts: dict[tuple[int, int, int], Point] = {}
     found: dict[tuple[Point, Point, bool], Segment] = {}
-    for segment in _segments(path):
-        start, rapid = nearest(segment.start), segment.rapid
-        for point in points(segment.arc, tolerance) if segment.arc is not None else (segment.end,):
+
+    def nearest(point: Point) -> Point:
+        x, y, z = point
+        cell = (int((x - left) * cells), int((y - front) * cells), int((z - bottom) * cells))
+        return firsts.setdefault(cell, point)
+
+    start = nearest(path.start)
+    for index, (kind, x, y, z, tool) in enumerate(zip(path.kinds, path.x, path.y, path.z, path.tool)):
+        rapid = kind == Kind.RAPID
+        for point in _points(path, index, tolerance) if kind == Kind.ARC else ((x, y, z),):
             end = nearest(point)
-            if start is not end:
+            if start is not end and kind != Kind.SHIFT:
                 key = (start, end, rapid) if start < end else (end, start, rapid)
                 if key not in found:
                     if len(found) == most:
                         return None
-                    found[key] = Segment(start, end, rapid, segment.tool)
+                    found[key] = Segment(start, end, rapid, tool)
             start = end
     return list(found.values())
 
 
-def _cells(low: Point, cell: float) -> Callable[[Point], Point]:
-    firsts: dict[tuple[int, int, int], Point] = {}
-    x, y, z = low
-
-    def nearest(point: Point) -> Point:
-        key = (floor((point[0] - x) / cell), floor((point[1] - y) / cell), floor((point[2] - z) / cell))
-        return firsts.setdefault(key, point)
-
-    return nearest
+def _points(path: Path, index: int, tolerance: float) -> Iterator[Point]:
+    arc = path.arc(index)
+    assert arc is not None
+    return points(arc, tolerance)
