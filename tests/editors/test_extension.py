@@ -36,3 +36,9 @@ def test_the_package_is_small_and_holds_all_that_runs(vsix: Path) -> None:
     assert {f"extension/{each}" for each in needed} <= names
     assert not [each for each in names if each.endswith((".so", ".pyd", ".map", ".ts"))]
     assert not [each for each in names if "node_modules" in each or "__pycache__" in each]
+
+
+def test_the_viewer_in_the_python_package_is_what_its_sources_make(extension: Path, tmp_path: Path) -> None:
+    made = tmp_path / "viewer.js"
+    npm("run", "viewer", "--", str(made))
+    assert made.read_bytes() == (extension.parent / "server" / "deburr" / "plot" / "viewer.js").read_bytes()

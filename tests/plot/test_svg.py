@@ -116,6 +116,11 @@ EXAMPLES = {
 }
 
 
+def test_the_picture_in_the_readme_is_that_of_its_example():
+    docs = Path(__file__).parents[2] / "docs"
+    assert (docs / "plot.svg").read_bytes() == (GOLDEN / "pocket_z32.svg").read_bytes()
+
+
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_the_picture_of_an_example_is_the_one_that_was_looked_at(name, monkeypatch, capsysbinary):
     """`python -m pytest tests/plot --update-golden` does not exist on purpose: who changes a picture writes it by `deburr plot`, and looks at it."""

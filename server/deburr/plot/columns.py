@@ -26,7 +26,7 @@ _FINEST = 1e-4
 _MOST = 2**30
 _EFFORT = 1
 """What more effort saves, a sixth, is not worth ten times the time."""
-_FINE = 4_000
+_FINE = 16_000
 """Chords of arcs leave them by at most this part of the way across everything."""
 
 
