@@ -51,7 +51,7 @@ class _Writer:
         if rng.random() < 0.5:
             yield from self._block(1, 1)
         yield "@"
-        sections = ["START", "TOOLCHG", "LINE", "RAP", "user", "END", "a", "b", "c"]
+        sections = ["START", "LINE", *rng.sample(("TOOLCHG", "RAP", "user", "END"), 2), "a", "b"]
         if rng.random() < 0.3:
             sections.insert(rng.randint(0, 3), "CYCLCHG")
         for at, name in enumerate(sections):

@@ -170,7 +170,7 @@ def _watched(seed: int) -> int:
     assert found is not None, f"seed {seed}"
     watch, seen = _Watch(found), 0
     with watch.watching():
-        for _ in range(3):
+        for _ in range(2):
             lines = "\n".join(map(json.dumps, events(rng)))
             host = MemoryHost({"part.jsonl": lines})
             job = Job((Program(MAIN, document),), LISTED, host, watch, Inputs(), Budget(1_000, 0))

@@ -2,7 +2,7 @@
 
 A constant is known where its assignment is always run last before the place: it stands above in the
 same block or in one around it, and nothing between them can set the name, come in from elsewhere or leave
-for a program that may set it.
+for a program that may set it. Beyond that a name is known that holds one number on all ways (deburr/values).
 """
 
 from __future__ import annotations
@@ -12,9 +12,12 @@ from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from deburr.analysis import Analysis
 from deburr.symbols import Act, Sort, Symbol, entry_of, language_of
 from deburr.symbols.constants import Constants, Value, constants_of
 from deburr.symbols.index import Placed, Region, all_symbols, mentions_of, on_line, region
+from deburr.values import value_at
+from deburr.values.words import said
 from deburr_grammar.dialect import Bracket, Role
 
 if TYPE_CHECKING:
@@ -41,7 +44,7 @@ def known(view: View, placed: Placed) -> Value | None:
         return None
     total = constants.given(symbol, view.file, view.ruleset.settings, view.host)
     found = constants.counted(document, line, symbol, total, partial(held, view))
-    return found or (None if total is not None else _assigned(view, placed, constants))
+    return found or (None if total is not None else _assigned(view, placed, constants) or _proven(view, placed))
 
 
 def held(view: View, line: int, written: str) -> Value | None:
@@ -62,8 +65,18 @@ def _before(view: View, placed: Placed) -> Value | None:
     symbol, settings = placed.mention.symbol, view.ruleset.settings
     total = constants.given(symbol, view.file, settings, view.host)
     if total is None:
-        return _assigned(view, placed, constants)
+        return _assigned(view, placed, constants) or _proven(view, placed)
     return constants.counted(view.document, placed.line, symbol, total, lambda *_: None)
+
+
+def _proven(view: View, placed: Placed) -> Value | None:
+    """The one number that a name holds on every way that a program can take to a place."""
+    language = language_of(view.dialect.name)
+    assert language is not None
+    analysis = Analysis(view.document, view.ruleset, view.file, view.host)
+    written, behind = language.written(placed.mention.symbol), placed.mention.act is Act.SET
+    value = value_at(analysis, placed.line, written, behind)
+    return Value(said(value), "on every way to this line") if value is not None and value.exact else None
 
 
 def _assigned(view: View, placed: Placed, constants: Constants) -> Value | None:

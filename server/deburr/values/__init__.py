@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from deburr.analysis import Analysis
     from deburr.finding import Finding
+    from deburr.values.domain import Value
     from deburr.values.program import Program
     from deburr_grammar.document import Document
 
@@ -60,18 +61,21 @@ def solving(analysis: Analysis) -> Iterator[None]:
     analysis.memo[_MEMO] = _of_documents[analysis.document] = program
 
 
-def said_at(analysis: Analysis, line: int, written: str, behind: bool) -> str:
-    """What a variable holds before a line, or ``behind`` it, in words; empty if nothing is proven of it. ``written``: as one writes the variable."""
+def value_at(analysis: Analysis, line: int, written: str, behind: bool) -> Value | None:
+    """What a variable holds before a line, or ``behind`` it; None if nothing is proven of it. ``written``: as one writes the variable."""
     document, module = analysis.document, language(analysis.dialect.name)
     if module is None or (document not in _of_documents and document.line_count > _SMALL):
-        return ""
+        return None
     program = _of_documents[document] if document in _of_documents else values_of(analysis)
-    if program is None:
-        return ""
+    return program.value(line, module.read(written), behind) if program is not None else None
+
+
+def said_at(analysis: Analysis, line: int, written: str, behind: bool) -> str:
+    """The same in words; empty if nothing is proven."""
     from deburr.values.words import said
 
-    value = program.value(line, module.read(written), behind)
-    return "" if value is None or value.empty else said(value)
+    value = value_at(analysis, line, written, behind)
+    return "" if value is None or (value.empty and not value.texts) else said(value)
 
 
 def _program(analysis: Analysis) -> Program | None:

@@ -157,7 +157,7 @@ class Program:
             env = {key: value for key, value in env.items() if key in old.written}
         if env is None or old.env is None:
             env = old.env if env is None else env
-        else:
+        elif env != old.env:
             env = self._merge(name, True, old.env, env)
         if env != old.env:
             self._summaries[name] = old._replace(env=env)
@@ -207,6 +207,7 @@ class _Ledger:
         self._program = program
         self.called: dict[str, Env] = {}
         self.told: dict[str, Summary | None] = {}
+        self._last: dict[str, Env] = {}
 
     def call(self, label: str, arguments: Env, shared: Env) -> Summary | None:
         """What is known of a routine; what it is called with is noted."""
@@ -219,7 +220,10 @@ class _Ledger:
             env = {} if self._program.is_general else env
             known = self.called.get(label)
             self.called[label] = env if known is None or known == env else join(known, env)
-            self._program.ahead(label, env)
+            if self._last.get(label) != env:
+                # What was handed on the last time is known there.
+                self._last[label] = env
+                self._program.ahead(label, env)
             found = self._program.summary(label)
         if found != self.told.setdefault(label, found):
             # It was told otherwise at another call: what it was told first no longer holds, so that it is gone through again.

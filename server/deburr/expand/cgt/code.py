@@ -110,7 +110,7 @@ class Compiler:
             self._op(self._whole_line(self._pieces.sequence(parts), row))
             return
         if row != opener:
-            self._op(self._beginning(row))
+            self._op(self._counted())
         self._parts(parts)
 
     def _whole_line(self, put: Put, row: int) -> Op:
@@ -126,16 +126,15 @@ class Compiler:
 
         return line
 
-    def _beginning(self, row: int) -> Op:
-        state, lines, behind = self._state, self._lines, self._next + 1
+    def _counted(self) -> Op:
+        """A step, where a line is executed in pieces."""
+        state, behind = self._state, self._next + 1
 
-        def begun() -> int:
+        def counted() -> int:
             state.left -= 1
-            if not lines.out:
-                lines.row = row
             return behind
 
-        return begun
+        return counted
 
     def _parts(self, parts: Sequence[Part]) -> None:
         """Parts on one line, those that stay on it together."""
@@ -158,9 +157,10 @@ class Compiler:
     def _put(self, parts: Sequence[Part]) -> None:
         if not parts:
             return
-        put, lines, behind = self._pieces.sequence(parts), self._lines, self._next + 1
+        put, lines, row, behind = self._pieces.sequence(parts), self._lines, self._row, self._next + 1
 
         def done() -> int:
+            lines.begin(row)
             put(lines.out)
             return behind
 
@@ -244,11 +244,11 @@ class Compiler:
         self._loops += 1
         self._body(body, True)
         self._loops -= 1
-        self._op(self._again(row, inside, self._next + 1, place_of(head)))
+        self._op(self._again(row, inside, place_of(head)))
         end.at = self._next
 
-    def _again(self, row: int, inside: int, behind: int, at: Place) -> Op:
-        state, lines = self._state, self._lines
+    def _again(self, row: int, inside: int, at: Place) -> Op:
+        state, lines, behind = self._state, self._lines, self._next + 1
 
         def again() -> int:
             state.left -= 1

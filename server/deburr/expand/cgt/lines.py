@@ -40,7 +40,7 @@ class _Held(NamedTuple):
 
 
 class Lines:
-    """The output of a run. ``out`` are the pieces of the line that is being put together, ``row`` is where it began."""
+    """The output of a run. ``out`` are the pieces of the line that is being put together; ``row`` and ``begun`` are where it began and in what."""
 
     def __init__(self, job: Job, file: str) -> None:
         self._job = job
@@ -50,6 +50,7 @@ class Lines:
         """What the run is in."""
         self.out: list[str] = []
         self.row = 0
+        self.begun: Frame | None = None
         self.loud = True
         """Whether lines are output: those of `@DECLARE` and of sections that compute are not."""
         self._number: Callable[[], str] | None = None
@@ -61,18 +62,19 @@ class Lines:
         self._held: deque[_Held] = deque()
         self._length = self._counted = 0
 
+    def begin(self, row: int) -> None:
+        """Something is put on the line. If nothing is on it yet, it comes from there, however many passes of a loop it goes on through."""
+        if not self.out:
+            self.row, self.begun = row, self.frame
+
     def write(self, pieces: list[str], row: int) -> None:
         """One line, or none if it has no text."""
-        if self._plain:
-            if text := "".join(pieces):
-                self._emit(text, self._file, row, self.frame)
-        elif self.loud:
-            self._put(pieces, row)
+        self._write(pieces, row, self.frame)
 
     def flush(self) -> None:
         """Write what was put together."""
         if self.out:
-            self.write(self.out, self.row)
+            self._write(self.out, self.row, self.begun)
             self.out.clear()
         self._length = self._counted = 0
 
@@ -121,14 +123,21 @@ class Lines:
                 piece.number = ""
         self._release()
 
-    def _put(self, pieces: list[str], row: int) -> None:
+    def _write(self, pieces: list[str], row: int, frame: Frame | None) -> None:
+        if self._plain:
+            if text := "".join(pieces):
+                self._emit(text, self._file, row, frame)
+        elif self.loud:
+            self._put(pieces, row, frame)
+
+    def _put(self, pieces: list[str], row: int, frame: Frame | None) -> None:
         if not any(pieces):
             return
         line = (self._number(), *pieces) if self._number is not None else tuple(pieces)
         if not self._held and _known(line):
-            self._emit(_text(line), self._file, row, self.frame)
+            self._emit(_text(line), self._file, row, frame)
             return
-        self._held.append(_Held(line, row, self.frame))
+        self._held.append(_Held(line, row, frame))
         most = self._job.budget.blocks
         if most and self._job.emitted + len(self._held) > most:
             first = next(piece for piece in self._held[0].pieces if isinstance(piece, Later))

@@ -78,6 +78,7 @@ class Activation:
 
     __slots__ = (
         "back",
+        "begun",
         "caller",
         "cell",
         "formats",
@@ -100,7 +101,7 @@ class Activation:
         self.frame = lines.frame
         self.inside = inside
         self.cell = cell
-        self.out, self.row, self.loud = lines.out, lines.row, lines.loud
+        self.out, self.row, self.begun, self.loud = lines.out, lines.row, lines.begun, lines.loud
         self.returned: float | str = "" if cell is not None and cell.is_text else 0.0
         self.formats: list[tuple[Cell | str, Format | None]] | None = []
         """Formats to be restored when it ends; None where they are kept."""
@@ -227,7 +228,7 @@ class State:
         self.unit, self.loops, lines.frame = ended.caller, ended.loops, ended.frame
         if ended.cell is not None:
             ended.cell.set(ended.returned)
-            lines.out, lines.row = ended.out, ended.row
+            lines.out, lines.row, lines.begun = ended.out, ended.row, ended.begun
             lines.silence(ended.loud)
         return ended.back
 

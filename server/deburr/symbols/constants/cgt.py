@@ -10,16 +10,18 @@ from deburr.arithmetic.cgt import constant
 from deburr.symbols import Sort, Symbol
 from deburr.symbols.cgt import names as declared_names
 from deburr.symbols.cgt import table_rows
-from deburr.symbols.constants import Held, Length, Settings, Value, count
+from deburr.symbols.constants import Held, Length, Settings, count
+from deburr.symbols.constants._unconfigured import counted, given, names, shown
 from deburr.symbols.index import all_symbols
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token, walk
 
 if TYPE_CHECKING:
-    from deburr.host import Host
     from deburr.symbols import Mention
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
+
+__all__ = ["assigned", "counted", "disturbed", "given", "lengths", "names", "results", "row", "shown"]
 
 _NUMBERS = ("decimal", "integer")
 _COMPUTED = frozenset(("sum", "product", "quotient", "power", "function"))
@@ -40,20 +42,6 @@ def assigned(document: Document, line: int, mention: Mention, settings: Settings
             value = constant(node.text, part.children[-2])
             return shown(value) if isinstance(value, float) else None
     return None
-
-
-def given(symbol: Symbol, file: str, settings: Settings, host: Host) -> None:
-    """No setting gives a word a value."""
-
-
-def names(file: str, settings: Settings, host: Host) -> Iterator[str]:
-    """No setting gives a name a value."""
-    yield from ()
-
-
-def counted(document: Document, line: int, symbol: Symbol, total: Value | None, held: Held) -> Value | None:
-    """No loop has a counter of its own."""
-    return total
 
 
 def disturbed(document: Document, first: int, last: int) -> bool:
@@ -99,11 +87,6 @@ def row(document: Document, line: int, mention: Mention) -> str | None:
         if word is not None and said.isdigit():
             return _printed(document, mention.symbol.name, int(said))
     return None
-
-
-def shown(value: float) -> str:
-    """A value as a person writes it."""
-    return f"{value:.9g}" if value else "0"
 
 
 def _printed(document: Document, table: str, index: int) -> str | None:

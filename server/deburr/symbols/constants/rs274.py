@@ -7,16 +7,18 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from deburr.arithmetic.rs274 import constant
-from deburr.symbols.constants import Held, Length, Settings, Value, count
+from deburr.symbols.constants import Held, Length, Settings, count
+from deburr.symbols.constants._unconfigured import counted, given, names, shown
 from deburr_grammar.codes import code_number
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token, walk
 
 if TYPE_CHECKING:
-    from deburr.host import Host
-    from deburr.symbols import Mention, Symbol
+    from deburr.symbols import Mention
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
+
+__all__ = ["assigned", "counted", "disturbed", "given", "lengths", "names", "results", "row", "shown"]
 
 _FARTHEST = 2_000
 """So many lines between an assignment and a use are looked through."""
@@ -37,20 +39,6 @@ def assigned(document: Document, line: int, mention: Mention, settings: Settings
             value = constant(node.text, setting.children[-1], settings)
             return shown(value) if isinstance(value, float) else None
     return None
-
-
-def given(symbol: Symbol, file: str, settings: Settings, host: Host) -> None:
-    """Stored parameters are those of the start only: programs and operators change them."""
-
-
-def names(file: str, settings: Settings, host: Host) -> Iterator[str]:
-    """No setting gives a name a value."""
-    yield from ()
-
-
-def counted(document: Document, line: int, symbol: Symbol, total: Value | None, held: Held) -> Value | None:
-    """No loop has a counter of its own."""
-    return total
 
 
 def disturbed(document: Document, first: int, last: int) -> bool:
@@ -95,11 +83,6 @@ def lengths(document: Document, line: int, held: Held, settings: Settings) -> It
 
 def row(document: Document, line: int, mention: Mention) -> None:
     """There are no tables."""
-
-
-def shown(value: float) -> str:
-    """A value as a person writes it."""
-    return f"{value:.9g}" if value else "0"
 
 
 def _codes(line: LineNode) -> Iterator[str]:

@@ -79,6 +79,8 @@ class Expressions:
 
     def computed(self, part: Node | Token) -> list[Word]:
         """The words in a part that sections compute, each once."""
+        if not self._words.has_computed:
+            return []
         words = [word for each in walk(part) if (word := self.word(each)) is not None and self._words.computes(word)]
         return list(dict.fromkeys(words))
 

@@ -193,7 +193,7 @@ class Builder:
                 check(env.get(name, ANY))
             return ((behind, shown(env, keys, self._quiet)),)
 
-        used = [name for name, _ in checks]
+        used = [word.name for _, word in words if self._words.holds(word)]
         self._add(items[0].line, put, Span(items[0].start, items[-1].end), used, keys)
         items.clear()
 

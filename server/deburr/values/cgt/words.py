@@ -99,6 +99,11 @@ class Vocabulary:
         return exactly(float(said)) if said is not None and is_number(said) else NO
 
     @cached_property
+    def has_computed(self) -> bool:
+        """Whether sections compute any words."""
+        return any(command.startswith("CALC") for _, command in self.declared)
+
+    @cached_property
     def _found(self) -> dict[str, Word | None]:
         return {}
 
