@@ -44,6 +44,11 @@ def parser() -> argparse.ArgumentParser:
     limits = Budget()
     found.add_argument("--max-steps", type=count, default=limits.steps, metavar="N", help="executed lines; 0: no limit")
     found.add_argument("--max-blocks", type=count, default=limits.blocks, metavar="N", help="flat lines; 0: no limit")
+    found.add_argument(
+        "--stats",
+        choices=("text", "json"),
+        help="print bounds, lengths, estimated times and tools of the flat program in its place; with -o it is written, too",
+    )
     found.add_argument("--diff", metavar="OTHER", help="compare the flat programs of both; exit 1 if they differ")
     found.add_argument("-q", "--quiet", action="store_true", help="no warnings")
     return found
@@ -61,6 +66,8 @@ def run(arguments: argparse.Namespace) -> int:
         distinct(arguments, {"-o": arguments.output, "--source-map": arguments.source_map})
         if arguments.diff and (arguments.output or arguments.source_map):
             raise ConfigError("--diff writes no flat program: leave -o and --source-map out")
+        if arguments.diff and arguments.stats:
+            raise ConfigError("--diff and --stats both print in place of the flat program: choose one")
     except ConfigError as error:
         return unable(error.messages)
     try:
@@ -68,7 +75,7 @@ def run(arguments: argparse.Namespace) -> int:
             flat = flat_of(programs, terms, lines)
             if others:
                 return _compared(flat, flat_of(others, terms, other_lines))
-            return flat.written(arguments.output, arguments.source_map)
+            return flat.written(arguments.output, arguments.source_map, arguments.stats)
     except ConfigError as error:
         return unable(error.messages)
     except OSError as error:

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from mmap import ACCESS_READ, mmap
 from time import monotonic
-from typing import IO, NamedTuple
+from typing import IO, TYPE_CHECKING, NamedTuple
 
 from deburr import paths, source
 from deburr.analysis import Analysis
@@ -28,6 +28,9 @@ from deburr.ruleset import RuleSet
 from deburr.source import Source
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.document import Document
+
+if TYPE_CHECKING:
+    from deburr.motion import Path
 
 _PATIENCE = 2.0
 """Seconds after which a run that goes on says so."""
@@ -119,19 +122,31 @@ class Flat:
         self.file.seek(0)
         return self.file.read().decode(self._encoding).split(self._eol.decode()) if self.count else []
 
-    def written(self, output: str | None, source_map: str | None) -> int:
-        """Put the flat program where it is wanted; the exit code."""
+    def path(self) -> "Path":
+        """Where it goes, on the machine that is configured."""
+        from deburr.motion.follow import follow
+        from deburr.motion.form import form_of
+
+        first = self.programs[0]
+        return follow(self.lines(), form_of(first.ruleset, first.host, self.terms.inputs.simulate))
+
+    def written(self, output: str | None, source_map: str | None, stats: str | None = None) -> int:
+        """Put the flat program where it is wanted; the exit code. ``stats``: what stands in it is printed, in its place or beside its file."""
         if not self.whole and not self.terms.inputs.partial:
             return 1
         if self.count and self._ends:
             self.file.write(self._eol)
         if source_map is not None:
             self._write_map(output, source_map)
-        if output is None:
-            self._copy(sys.stdout.buffer)
-        else:
+        if output is not None:
             with replacing(output) as out:
                 self._copy(out)
+        elif stats is None:
+            self._copy(sys.stdout.buffer)
+        if stats is not None:
+            from deburr.cli.stats import say
+
+            say(self, stats)
         return 0 if self.whole else 1
 
     def _copy(self, out: IO[bytes]) -> None:

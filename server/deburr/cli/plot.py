@@ -124,10 +124,9 @@ def _write(picture: Picture, output: str | None) -> None:
 
 
 def _svg(flat: Flat) -> Picture:
-    from deburr.motion import follow
     from deburr.plot.svg import picture, told
 
-    text, drawn = picture(_name(flat), follow(flat.lines()))
+    text, drawn = picture(_name(flat), flat.path())
     return Picture([text.encode()], told(drawn) if drawn.tolerance else "")
 
 
@@ -146,7 +145,6 @@ def _painter() -> Callable[[str], bytes]:
 
 
 def _html(flat: Flat) -> Picture:
-    from deburr.motion import follow
     from deburr.plot.columns import Toolpath
     from deburr.plot.extent import reach
     from deburr.plot.page import page
@@ -155,7 +153,7 @@ def _html(flat: Flat) -> Picture:
     assert source_map is not None
     programs = {program.file: program for program in flat.programs}
     lines = flat.lines()
-    path = follow(lines)
+    path = flat.path()
     made = Toolpath(_name(flat), path, source_map, lines, reach(path))
     script = resources.files("deburr.plot").joinpath("viewer.js").read_text(encoding="utf-8")
     pieces = page(made, script, lambda file: _lines(programs, flat, file), lambda file: file.rpartition("/")[2])
