@@ -85,19 +85,14 @@ class Machine:
         if "F" in words:
             self._modes.feed = words["F"]
             mover.feed = words["F"] * unit
-        if named:
+        if motion >= 20 or words.keys().isdisjoint("XYZ"):
             self._move(words, flat, named)
             return True
-        target = mover.at.copy()
-        for axis, letter in enumerate("XYZ"):
-            if letter in words:
-                target[axis] = words[letter] * unit
-        if motion >= 20:
-            self._move(words, flat, named)
-        elif not words.keys().isdisjoint("XYZ"):
-            if mover.unknown:
-                mover.named(axis for axis, letter in enumerate("XYZ") if letter in words)
-            mover.go(Kind.FEED if motion else Kind.RAPID, target, flat)
+        mover.left_cycles()
+        x, y, z = words.get("X"), words.get("Y"), words.get("Z")
+        if unit != 1.0:
+            x, y, z = (None if value is None else value * unit for value in (x, y, z))
+        mover.line(motion // 10, x, y, z, flat)
         return True
 
     def _any(self, text: str, flat: int) -> None:
@@ -206,7 +201,7 @@ class Machine:
             flags |= Flag.COMPENSATED
         if modes.g["feed"] != 940:
             flags |= Flag.INVERSE if modes.g["feed"] == 930 else Flag.PER_REVOLUTION
-        self._mover.flags = flags
+        self._mover.flags = int(flags)
 
     def _offsets(self, gs: set[int], words: Mapping[str, float], flat: int) -> None:
         """Tool lengths and work systems."""

@@ -18,6 +18,7 @@ Bounds = dict[str, tuple[float, float]]
 """The least and the greatest coordinate by axis: mm, degrees for A, B and C."""
 _CUTS = (Kind.FEED, Kind.ARC, Kind.PROBE, Kind.THREAD)
 _AXES = "XYZ"
+_PER_REVOLUTION, _INVERSE = int(Flag.PER_REVOLUTION), int(Flag.INVERSE)
 
 
 @dataclass
@@ -131,9 +132,9 @@ def _rapid_seconds(start: Point, end: Point, beside: Mapping[str, float], rapid:
 def _feed(path: Path, index: int, way: float, speed: float) -> float | None:
     """Seconds of a cut; None: it has no feed."""
     feed, flags = path.feeds[index], path.flags[index]
-    if flags & Flag.PER_REVOLUTION:
+    if flags & _PER_REVOLUTION:
         feed *= speed
-    if flags & Flag.INVERSE:
+    if flags & _INVERSE:
         return 60 / feed if feed > 0 else None
     return 60 * way / feed if feed > 0 else None if way else 0.0
 

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from deburr.motion.form import Form
     from deburr.motion.path import Recorder
 
+_XYZ = 0b111
+_SIDEWAYS = int(Flag.SIDEWAYS)
+"""Flags are whole numbers here: to join them as flags costs more than a move."""
 ALL = (1 << len(AXES)) - 1
 _SIGNS = {30: 1.0, 40: -1.0}
 
@@ -61,11 +64,34 @@ class Mover:
         if self.lost:
             flags |= Flag.ASSUMED
         if start[0] != target[0] or start[1] != target[1]:
-            flags |= Flag.SIDEWAYS
+            flags |= _SIDEWAYS
         feed = self.feed
         if pitch is not None:
             feed, flags = pitch, flags & ~Flag.INVERSE | Flag.PER_REVOLUTION
         self._recorder.move(kind, flags, end[: self._width], flat, feed, self.unknown)
+
+    def line(self, kind: int, x: float | None, y: float | None, z: float | None, flat: int) -> None:
+        """A straight move to absolute places along X, Y and Z; None: that axis stays."""
+        start = self.at
+        target = [
+            start[0] if x is None else x,
+            start[1] if y is None else y,
+            start[2] if z is None else z,
+            *start[3:],
+        ]
+        if self.unknown & _XYZ:
+            self.named(axis for axis, value in enumerate((x, y, z)) if value is not None)
+        base = self.offsets.plain if self.offsets.straight is not None else None
+        if base is None or self._width != 3 or self.lost:
+            self.go(kind, target, flat)
+            return
+        self.at = target
+        self._then = self.offsets.tool
+        flags = self.flags
+        if start[0] != target[0] or start[1] != target[1]:
+            flags |= _SIDEWAYS
+        end = (target[0] + base[0], target[1] + base[1], target[2] + base[2])
+        self._recorder.move(kind, flags, end, flat, self.feed, self.unknown)
 
     def named(self, axes: Iterable[int]) -> None:
         """These axes are moved to places that the program says."""

@@ -33,6 +33,10 @@ class Offsets:
         self.shift: Coordinates = [0.0] * 9
         """G92 and G52, where they are in force."""
         self.tool: Coordinates = [0.0] * 9
+        self._stale = True
+        self._sums: Coordinates | None = None
+        self.plain: tuple[float, float, float] | None = None
+        """`straight` along X, Y and Z, where it is nothing along all others; asked for behind `straight`."""
         self.known = bool(form.stored)
         """Whether it is known where the work systems lie in the machine."""
         for at, value in form.stored.items():
@@ -59,6 +63,7 @@ class Offsets:
 
     def choose(self, number: int) -> None:
         """A work system comes into force."""
+        self._stale = True
         self.active = number
         self.system = list(self._systems[number])
         self._turn = self._turns[number]
@@ -82,30 +87,39 @@ class Offsets:
 
     def shift_to(self, given: Mapping[int, float], tip: Sequence[float]) -> None:
         """G92: make the tip have these coordinates."""
+        self._stale = True
         for axis, value in given.items():
             self.shift[axis] += self.program(tip)[axis] - value
         self._kept = list(self.shift)
 
     def shift_by(self, given: Mapping[int, float]) -> None:
         """G52: these are the shift."""
+        self._stale = True
         for axis, value in given.items():
             self.shift[axis] = value
         self._kept = list(self.shift)
 
     def unshift(self, forget: bool) -> None:
         """G92.1 and G92.2: no shift any more."""
+        self._stale = True
         self.shift = [0.0] * 9
         if forget:
             self._kept = [0.0] * 9
 
     def reshift(self) -> None:
         """G92.3: the shift that was left."""
+        self._stale = True
         self.shift = list(self._kept)
 
     @property
     def straight(self) -> Coordinates | None:
         """By how much the machine's coordinates exceed the program's; None if the system is turned."""
-        return None if self._turn else [a + b for a, b in zip(self.shift, self.system)]
+        if self._stale:
+            self._stale = False
+            self._sums = None if self._turn else [a + b for a, b in zip(self.shift, self.system)]
+            still = self._sums is not None and not any(self._sums[3:])
+            self.plain = (self._sums[0], self._sums[1], self._sums[2]) if still and self._sums else None
+        return self._sums
 
     def machine(self, at: Sequence[float]) -> Coordinates:
         """The tip's place in the machine, of a point of the program."""

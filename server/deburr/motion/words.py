@@ -29,7 +29,7 @@ def plain(text: str) -> Said | None:
     if " " in text:
         text = text.replace(" ", "")
     found: Said = _WORD.findall(text)
-    return found if sum(len(word[1]) for word in found) + len(found) == len(text) else None
+    return found if len("".join(map("".join, found))) == len(text) else None
 
 
 def all_of(text: str, values: Mapping[int, float]) -> Words:
