@@ -24,3 +24,8 @@ class NoFiles:
     def names(self, folder: str) -> Sequence[str]:
         """No names."""
         return ()
+
+
+def sees_folder(host: Host, file: str) -> bool:
+    """Whether files beside a program can be looked for, so that one can be missed: a text from standard input has no folder."""
+    return not isinstance(host, NoFiles) and (not file or bool(host.names(file.rpartition("/")[0])))

@@ -8,10 +8,11 @@ import pytest
 
 import deburr.expand.rs274
 from deburr.analysis import Analysis
-from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive
+from deburr.expand import Budget, Inputs, Job, Program, SourceMap, drive, expand
 from deburr.expand.rs274.values import Values
 from deburr.fault import Entered, Frame
 from deburr.finding import Severity
+from deburr.host import NoFiles
 from deburr.ran import ran
 from deburr.ruleset import RuleSet
 from deburr_grammar.document import Document
@@ -279,6 +280,17 @@ def test_a_check_follows_saved_modes_that_are_thrown_away() -> None:
         findings = Analysis(Document.parse(program, DIALECT), RULES, MAIN, MemoryHost({}), (), ran).findings()
         told = [(each.place.line, each.place.col, each.place.end_col) for each in findings]
         assert ({each.rule for each in findings}, told) == ({"rs274.restore-unsaved"} if found else set(), found)
+
+
+@pytest.mark.parametrize("call", ["o<none> call", "M98 P9"])
+def test_without_a_folder_no_subprogram_is_missing(call: str) -> None:
+    document = Document.parse(f"{call}\nM2\n", DIALECT)
+    (fault,) = expand([Program(MAIN, document)], RULES, NoFiles()).faults
+    assert (fault.kind, fault.line, fault.input) == ("sub-unknown", 0, True)
+    for host, found in ((NoFiles(), []), (MemoryHost({MAIN: ""}), ["rs274.sub-unknown"])):
+        for run in (ran, None):
+            findings = Analysis(document, RULES, MAIN, host, (), run).findings()
+            assert [each.rule for each in findings if each.severity is Severity.ERROR] == found
 
 
 def test_a_program_that_its_file_does_not_have_is_sought_nowhere_else() -> None:

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from deburr.expand.rs274.files import loaded
 from deburr.expand.rs274.parts import condition
 from deburr.expand.rs274.saved import restore
 from deburr.expand.rs274.state import ARGUMENTS, ENDLESS, Activation
+from deburr.expand.rs274.targets import Targets
 from deburr.expand.rs274.unit import ELSEWHERE, Op, Unit
 from deburr.fault import Entered, Frame, Halt
-from deburr.suggest import suggestion
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
@@ -23,8 +22,6 @@ if TYPE_CHECKING:
 
 DEEPEST = 9
 """Calls that may be active at once (spec/rs274.md §6)."""
-Start = tuple[Unit, int]
-"""Where a subprogram starts."""
 
 
 class Calls:
@@ -34,9 +31,8 @@ class Calls:
         self._run = run
         self._compiler = compiler
         self._state = run.state
-        self._units: dict[str, Unit | None] = {}
-        self._known: dict[str, Start] = {}
-        """What was passed or found, by label; whatever its file, the first counts."""
+        self._targets = Targets(run)
+        self.load = self._targets.load
         self._contours: dict[str, tuple[str, ...]] = {}
         """The contours that the flat program has."""
 
@@ -47,7 +43,7 @@ class Calls:
         given = bool(values) and values[-1][1] is not None and values[-1][0] == behind - 1
 
         def passed() -> int:
-            self._define(unit, row, parts)
+            self._targets.define(unit, row, parts)
             value = 0.0
             for _, calculate in values:
                 value = _calculated(calculate)
@@ -82,7 +78,7 @@ class Calls:
             # The caller's names are gone once the call is active.
             name, values = label(), [get() for get in arguments]
             self._activate(unit, row, span, len(values))
-            target, start = self._found(name, unit, row, span)
+            target, start = self._targets.found(name, unit, row, span)
             state.params[1 : ARGUMENTS + 1] = values + rest
             self._run.unit, self._run.row = target, start + 1
             return ELSEWHERE
@@ -106,8 +102,7 @@ class Calls:
                 state.warn("m98-zero", unit.file, row, span, message)
                 return row + 1
             self._activate(unit, row, span, 0)
-            target, start = self._numbered(str(number), unit, row, span)
-            self._is_numbered(target, start, f"M98 P{number}")
+            target, start = self._targets.numbered(str(number), unit, row, span)
             state.calls[-1].again = (target, start, max(count, 1) - 1)
             self._run.unit, self._run.row = target, start + 1
             return ELSEWHERE
@@ -150,7 +145,7 @@ class Calls:
             label = str(number())
             values = read()
             self._activate(unit, row, span, 0)
-            target, start = self._found(label, unit, row, span)
+            target, start = self._targets.found(label, unit, row, span)
             state.params[1 : ARGUMENTS + 1] = [0.0] * ARGUMENTS
             state.contour = []
             state.machine.block([word.letter for word in line.words], values, False)
@@ -185,20 +180,6 @@ class Calls:
         word = next((word for word in line.words if word.letter == letter), None)
         return line.values.integer(word.part) if word is not None else None
 
-    def _define(self, unit: Unit, row: int, parts: Parts) -> None:
-        label, state = parts.label(), self._state
-        if state.calls:
-            message = f"`{parts.said}` is met while a subprogram runs; definitions do not nest"
-            raise state.fault("sub-nested", unit.file, row, parts.span, message)
-        known = self._known.setdefault(label, (unit, row))
-        if known != (unit, row):
-            message = f"`{parts.said}` defines a subprogram a second time; the control refuses it"
-            raise state.fault("sub-redefined", unit.file, row, parts.span, message)
-        if row in unit.passed:
-            message = f"`{parts.said}` is met when it is already known, by a call from above or in a second pass of a loop; the control stops here"
-            raise state.fault("sub-before-definition", unit.file, row, parts.span, message)
-        unit.passed.add(row)
-
     def _return(self, unit: Unit, row: int) -> int:
         state = self._state
         for loop in state.loops:
@@ -229,82 +210,6 @@ class Calls:
         state.calls.append(Activation(unit, row, state))
         state.locals, state.loops, state.saved, state.returns = {}, [], None, False
         state.frame = Frame(state.frame, unit.file, row, Entered.CALL, count)
-
-    def _found(self, label: str, unit: Unit, row: int, span: Span) -> Start:
-        """The subprogram of a label: one that is known, that of a file of its name, or one further down in this file."""
-        found = self._known.get(label)
-        if found is None:
-            found = self._in_file(label, unit, row, span)
-            start = unit.sub_behind(label, row) if found is None else None
-            if start is not None:
-                found = unit, start
-            if found is None:
-                message = f"there is no subprogram `o<{label}>`, neither further down nor in a file `{label}.ngc`"
-                message += suggestion(label, {*self._known, *unit.subs} - {label})
-                raise self._state.fault("sub-unknown", unit.file, row, span, message)
-            self._know(label, *found)
-        self._sound(*found)
-        return found
-
-    def _know(self, label: str, unit: Unit, row: int) -> None:
-        self._known[label] = unit, row
-        unit.passed.add(row)
-
-    def _in_file(self, label: str, unit: Unit, row: int, span: Span) -> Start | None:
-        """The subprogram in the file of its name; None if there is no such file."""
-        file = self.load(label)
-        if file is None:
-            return None
-        start = file.sub_behind(label, -1)
-        why = f"has no `o<{label}> sub`" if start is None else ""
-        if file.is_framed and self._run.main.is_framed:
-            why = "starts with `%`, as the program does, and nothing is found in it"
-        if start is None or why:
-            raise self._state.fault("sub-file", unit.file, row, span, f"the file `{file.file}` {why}")
-        return file, start
-
-    def _numbered(self, label: str, unit: Unit, row: int, span: Span) -> Start:
-        """The program that M98 means: one that is known, in a file of its number, or further down."""
-        found = self._known.get(label)
-        if found is None:
-            target, above = self.load(label) or unit, row
-            if target is not unit:
-                above = -1
-            starts = target.numbered_behind(label, above), target.sub_behind(label, above)
-            start = min((at for at in starts if at is not None), default=None)
-            if start is None:
-                kind = "sub-unknown"
-                message = f"there is no program `O{label}`, neither further down nor in a file `{label}.ngc`"
-                if target is not unit:
-                    kind, name = "sub-file", target.file.rpartition("/")[2]
-                    message = f"`{name}` has no program `O{label}`, and the control looks for it nowhere else"
-                raise self._state.fault(kind, unit.file, row, span, message)
-            found = self._known[label] = target, start
-        return found
-
-    def _is_numbered(self, unit: Unit, row: int, said: str) -> None:
-        """Stop at a `sub` to which M98 leads."""
-        if row in unit.ends:
-            text = unit.document.line(row)
-            message = f"`{said}` leads to a `sub`, which is only run by `call`; the control stops here"
-            span = Span(len(text) - len(text.lstrip()), len(text.rstrip()))
-            raise self._state.fault("sub-unknown", unit.file, row, span, message)
-
-    def load(self, label: str) -> Unit | None:
-        """The file of a label, read when it is first asked for."""
-        if label not in self._units:
-            self._units[label] = loaded(self._run.job, label)
-        return self._units[label]
-
-    def _sound(self, unit: Unit, row: int) -> None:
-        """Stop where a subprogram in another file is wrong as it stands; the program itself has been checked before."""
-        if unit is self._run.main:
-            return
-        for at, finding in unit.errors(self._run.job).items():
-            if row <= at <= unit.ends.get(row, row):
-                place, kind = finding.place, finding.rule.partition(".")[2]
-                span = Span(place.col, place.end_col)
-                raise self._state.fault(kind, unit.file, at, span, finding.message)
 
 
 def _calculated(calculate: Get | None) -> float:

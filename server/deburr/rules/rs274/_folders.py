@@ -7,7 +7,7 @@ from functools import cached_property
 from posixpath import basename, dirname, join, normpath, splitext
 
 from deburr.analysis import Analysis
-from deburr.host import NoFiles
+from deburr.host import sees_folder
 from deburr.rules.rs274._program import Program
 from deburr.steps import done
 from deburr_grammar.document import Document
@@ -34,8 +34,7 @@ class Folders:
         self._here = dirname(analysis.file)
         self._all = [self._here, *(normpath(join(self._here, path.replace("\\", "/"))) for path in paths)]
         self.configured = bool(paths)
-        listed = bool(self._in(self._here)) or not analysis.file
-        self.searchable = listed and not isinstance(analysis.host, NoFiles)
+        self.searchable = sees_folder(analysis.host, analysis.file)
         """Whether files can be looked for at all, so that one can be missed."""
 
     def find(self, path: str) -> str | None:
