@@ -43,6 +43,8 @@ MET = {
     "abort 2 0-10": "#1=0\n(ABORT,#1)\nM2\n",
     "restore-unsaved 2 0-3": "o1 sub\nM72\no1 endsub\no1 call\nM2\n",
     "program-end-missing 2 0-0": "#5=3\nM#5\n\n",
+    "program-end-missing 3 0-0": "o1 if [0]\nM2\no1 endif\n",
+    "program-end-missing 6 0-0": "o<e> sub\no1 if [#1]\nM2\no1 endif\no<e> endsub\no<e> call [0]\n",
     "negative-value 3 6-10": "#1=2\nF100\nG1 X1 F-#1\nM2\n",
     "feed-missing 2 0-2": f"{SUB.replace('G0', 'G1')}o1 call\nM2\n",
     "feed-zero 2 0-2": "#1=0 F1\nG1 X1 F#1\nM2\n",
@@ -306,6 +308,8 @@ def test_a_program_that_its_file_does_not_have_is_sought_nowhere_else() -> None:
         "#5=3\nM#5\nM2\n",
         "%\n#5=3\nM#5\n%\n",
         "#5=3\nM#5\n/M2\n",
+        "o<e> sub\no1 if [#1]\nM2\no1 endif\no<e> endsub\n",
+        "(not_a_subfile)\n#1=5\nG0 X#1\n",
     ],
 )
 def test_a_program_with_a_computed_m_code_may_end(program: str) -> None:

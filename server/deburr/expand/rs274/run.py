@@ -118,12 +118,13 @@ class Run:
         return part.first + len(part.lines), left - len(part.lines)
 
     def _endless(self, unit: Unit) -> None:
-        """Stop behind the last line where a check could not know that a computed M code does not end the program."""
-        text, compiler = unit.document.text, self._compiler
-        if not compiler.computed or compiler.percent or unit is not self.main or _UNSURE.search(text):
+        """Stop behind the last line where a check could not know that the run comes by no end: a branch or a sub that has one did not run, a computed M code was another."""
+        text = unit.document.text
+        if self._compiler.percent or unit is not self.main or _UNSURE.search(text) or not unit.does_something:
             return
         row = text.rstrip().count("\n")
-        message = "the program ends without M2, M30 or `%`: no computed M code was one; the control stops here"
+        met = "no computed M code was one" if self._compiler.computed else "this run met none"
+        message = f"the program ends without M2, M30 or `%`: {met}; the control stops here"
         raise self.state.fault("program-end-missing", unit.file, row, Span(0, 0), message)
 
     def _is_watched(self, unit: Unit) -> bool:

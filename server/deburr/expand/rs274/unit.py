@@ -175,6 +175,12 @@ class Unit:
                 if held:
                     yield from (piece.line + at for at, shape in enumerate(shapes, first) if shape in held)
 
+    @property
+    def does_something(self) -> bool:
+        """Whether anything stands outside subprograms: else the file is no program of its own."""
+        acting = {*self._with("word"), *self._with("setting"), *self._with("o_line")}
+        return any(not any(start <= row <= end for start, end in self.ends.items()) for row in acting)
+
     @cached_property
     def signs(self) -> tuple[int, ...]:
         """The rows of the first two percent signs."""
