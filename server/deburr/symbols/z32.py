@@ -6,7 +6,7 @@ import re
 from collections.abc import Container, Iterator
 from typing import TYPE_CHECKING
 
-from deburr.expand.z32 import stores
+from deburr.includes import z32 as stores
 from deburr.symbols import Act, Meant, Mention, Offer, Sort, Symbol, Takes
 from deburr_grammar.codes import code_number
 from deburr_grammar.text import Span

@@ -243,10 +243,12 @@ def _rest(low: float, value: Value) -> float:
     """The next resting place at or below a bound that moves down; for one that moves up, its negative is asked for."""
     if low >= 0 and not value.step:
         return 0.0
-    if value.step and -LARGEST <= low <= LARGEST:
-        base = _units(low)
-        return (base - (base + int(LARGEST) * UNITS) // value.step * value.step) / UNITS
-    return -LARGEST if low >= -LARGEST else -math.inf
+    for place in (LARGEST / 2, LARGEST):
+        # From the first place a step or two more still lie on the grid.
+        if low >= -place:
+            base = _units(low)
+            return (base - (base + int(place) * UNITS) // value.step * value.step) / UNITS if value.step else -place
+    return -math.inf
 
 
 def _grid(value: Value) -> tuple[int, int] | None:

@@ -74,12 +74,20 @@ class Explanation:
                 if key in place.sets:
                     yield place, self._set(key, value)
                     continue
+                if self._is_set_inside(place, key):
+                    yield place, f"`{self._written(key)}` is set by what is called here{_holds(said(value))}"
+                    continue
                 old = solution.before[source].get(key, ANY)
                 if place.condition is not None and key in place.used and value != old and source not in seen:
                     yield place, f"from here on `{self._written(key)}`{_holds(said(value)) or ' is restricted'}"
                 if source not in seen:
                     seen.add(source)
                     waiting.append(source)
+
+    def _is_set_inside(self, place: Node, key: Hashable) -> bool:
+        """Whether a call leads to what sets a variable."""
+        summary = self._program.summary(place.callee) if place.callee is not None else None
+        return summary is not None and summary.written is not None and key in summary.written
 
     def _set(self, key: Hashable, value: Value) -> str:
         return (

@@ -70,10 +70,14 @@ class Calls(Protocol):
     def call(self, label: str, arguments: Env, shared: Env) -> Summary | None:
         """Call a routine with arguments and with what all share; what is known of it by now. None: nobody can see what is called."""
 
+    def again(self) -> None:
+        """All calls come once more, now with what is really passed: what came before was a guess."""
+
 
 class Dead(NamedTuple):
     """A way that a place ought to take now and then: where it leads, and what is said, by which rule, if no values ever go there.
 
+    ``later``: it need not come next, but before the program ends.
     It is said only where that holds whatever the routine is called with and whatever is written where a variable
     is set once and for all: what hangs on these is a switch that somebody set on purpose.
     """
@@ -83,6 +87,7 @@ class Dead(NamedTuple):
     span: Span
     message: str
     severity: Severity | None = None
+    later: bool = False
 
 
 class Node(NamedTuple):
@@ -90,7 +95,7 @@ class Node(NamedTuple):
 
     ``flow`` gives what comes next, and raises a `Proof` where nothing can. ``condition``: the columns of what decides here.
     ``doubtful``: whether something in it may fail on some way, after ``flow`` was asked. ``callee``: the routine that it calls, if that is known; ``calls``: whether it calls any.
-    ``remark``: what is certain and does not stop the control, after ``flow`` was asked.
+    ``remark``: what is certain and does not stop the control, after ``flow`` was asked. ``part``: which of several nodes of its line it is.
     """
 
     line: int
@@ -103,6 +108,7 @@ class Node(NamedTuple):
     calls: bool = False
     remark: Callable[[], Proof | None] = lambda: None
     dead: tuple[Dead, ...] = ()
+    part: int = 0
 
 
 class Head(NamedTuple):

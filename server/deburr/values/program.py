@@ -17,6 +17,8 @@ from deburr.values.solve import Solution
 
 _PATIENCE = 3
 """So often what a routine is called with, or leaves, may grow as it likes."""
+_BACK = 3
+"""Rounds in which what routines are called with gets less. The values of each round are true, so that any number will do."""
 _DEEPEST = 20
 """Through so many routines in each other one goes at once."""
 _KEPT = 1_000
@@ -35,10 +37,12 @@ class Routine(NamedTuple):
     entry: Env | None
     files: Sequence[str] | None = None
     """The files of its lines, where it is made from several or stands in another one."""
+    shared: bool = False
+    """Whether its lines may be those of other routines as well, wherever they stand: what goes wrong in them must do so in all."""
 
     def is_elsewhere(self, file: str) -> bool:
         """Whether none of its lines stands in a file, so that it only tells what its callers see of it."""
-        return self.files is not None and file not in self.files
+        return self.files is not None and not self.shared and file not in self.files
 
 
 class Solved(NamedTuple):
@@ -62,6 +66,8 @@ class Program:
         self._grown: Counter[tuple[str, bool]] = Counter()
         self._waiting: list[str] = []
         self._active: list[str] = []
+        self._is_settled = False
+        """Whether nothing grows any more, and calls are only noted."""
         self._callers: dict[str, list[str]] = {name: [] for name in routines}
         for routine in routines.values():
             for callee in sorted(routine.graph.callees & routines.keys()):
@@ -95,6 +101,35 @@ class Program:
                 self._enter(routine.name, routine.entry)
         while self._waiting:
             yield from self._solve(self._waiting.pop())
+        self._is_settled = True
+        for _ in range(_BACK):
+            changed = self._narrowed()
+            for name in changed:
+                yield from self._solve_again(name)
+            for name in [
+                name for name, solved in self.solved.items() if name not in changed and not self.tells(solved)
+            ]:
+                yield from self._solve_again(name)
+            if not changed:
+                break
+
+    def _narrowed(self) -> list[str]:
+        """Have routines start with what they are really called with, now that no guess of a loop is left; those that this changes."""
+        found = {routine.name: routine.entry for routine in self.routines.values() if routine.entry is not None}
+        for solved in self.solved.values():
+            unseen = [(name, dict[Key, Value]()) for name in self.routines] if None in solved.told.values() else ()
+            for name, env in (*solved.called.items(), *unseen):
+                own = {**env, **unset(self.routines[name].graph.locals, True)}
+                found[name] = join(found[name], own) if name in found else own
+        changed = [name for name in self.solved if name in found and found[name] != self._entries[name]]
+        self._entries.update((name, found[name]) for name in changed)
+        return changed
+
+    def _solve_again(self, name: str) -> Iterator[None]:
+        """All that went in holds, so that what comes out does."""
+        solved = self.solved[name] = yield from _solved(self.routines[name], self._entries[name], self)
+        old = self._summaries[name]
+        self._summaries[name] = old._replace(env=_written(solved.solution.returned, old))
 
     def _solve(self, name: str) -> Iterator[None]:
         self._active.append(name)
@@ -119,6 +154,8 @@ class Program:
 
     def ahead(self, name: str, env: Env) -> None:
         """Go through a routine where it is first called, so that its caller need not wait for it."""
+        if self._is_settled:
+            return
         self._called(name, env)
         if name in self._waiting and name not in self._active and len(self._active) < _DEEPEST:
             self._waiting.remove(name)
@@ -140,21 +177,18 @@ class Program:
 
     def value(self, row: int, key: Key, behind: bool) -> Value | None:
         """What a variable holds before a line of the program, or behind it; None: nobody knows, or nothing comes there."""
+        envs: list[Env] = []
         for name, solved in self.solved.items():
             routine, solution = self.routines[name], solved.solution
             nodes = [] if routine.files is not None else _at(routine, row)
             if behind:
                 nodes = [to for node in nodes for to in solution.targets(node) if list(solution.sources(to)) == [node]]
-            envs = [solution.before[node] for node in nodes if node in solution.before]
-            if envs and all(key in env for env in envs):
-                return reduce(joined, (env[key] for env in envs))
-        return None
+            envs += [solution.before[node] for node in nodes if node in solution.before]
+        return reduce(joined, (env[key] for env in envs)) if envs and all(key in env for env in envs) else None
 
     def _leave(self, name: str, solution: Solution) -> None:
         old = self._summaries[name]
-        env = solution.returned
-        if env is not None and old.written is not None:
-            env = {key: value for key, value in env.items() if key in old.written}
+        env = _written(solution.returned, old)
         if env is None or old.env is None:
             env = old.env if env is None else env
         elif env != old.env:
@@ -188,6 +222,13 @@ class Program:
         return frozenset(found)
 
 
+def _written(env: Env | None, summary: Summary) -> Env | None:
+    """Of what a routine returns with, what it may have set."""
+    if env is None or summary.written is None:
+        return env
+    return {key: value for key, value in env.items() if key in summary.written}
+
+
 _OUTDATED = Summary({}, frozenset(), None)
 """What nothing is ever known to be."""
 
@@ -208,6 +249,10 @@ class _Ledger:
         self.called: dict[str, Env] = {}
         self.told: dict[str, Summary | None] = {}
         self._last: dict[str, Env] = {}
+
+    def again(self) -> None:
+        """Forget what calls were guessed to pass while the values of loops grew."""
+        self.called.clear()
 
     def call(self, label: str, arguments: Env, shared: Env) -> Summary | None:
         """What is known of a routine; what it is called with is noted."""

@@ -9,6 +9,7 @@ from deburr.finding import Finding
 from deburr.rule import Proven, Report
 from deburr.values.explain import Explanation
 from deburr.values.graph import Dead, Loop, Proof
+from deburr.values.places import Places
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
@@ -23,11 +24,12 @@ UNREACHED = "sub-unreachable"
 def findings(program: Program, analysis: Analysis, written: Written) -> Iterator[Finding | None]:
     """All that is proven of all routines that can be reached, if its rule is on; None wherever the work can be left."""
     explained = Explanation(program, analysis, written)
+    places = Places(program)
     for name, solved in program.solved.items():
         routine = program.routines[name]
         if routine.is_elsewhere(analysis.file):
             continue
-        for node, proof in _proofs(routine, solved.solution, analysis):
+        for node, proof in _proofs(routine, solved.solution, analysis, places):
             yield from _found(explained, routine, node, proof, analysis)
     yield from _idle(program, analysis, written)
 
@@ -47,27 +49,16 @@ def _report(proof: Proof) -> Report:
     return Report(proof.span, proof.message, severity=proof.severity)
 
 
-def _proofs(routine: Routine, solution: Solution, analysis: Analysis) -> Iterator[tuple[int, Proof]]:
+def _proofs(routine: Routine, solution: Solution, analysis: Analysis, places: Places) -> Iterator[tuple[int, Proof]]:
     for node, proof in sorted({**solution.remarks, **solution.proofs}.items()):
-        if _everywhere(routine, solution, node, proof):
+        if places.agree(routine, node, proof):
             yield node, proof
     for loop in routine.graph.loops:
-        if _is_endless(solution, loop):
+        if routine.files is None and _is_endless(solution, loop) and places.alone(routine, loop.test):
             row = routine.rows[routine.graph.nodes[loop.test].line]
             said = analysis.document.line(row)[loop.span.start : loop.span.end]
             message = f"`{said}` never ends: its condition holds in every pass, and nothing in it leaves it"
             yield loop.test, Proof(loop.kind, loop.span, message)
-
-
-def _everywhere(routine: Routine, solution: Solution, node: int, proof: Proof) -> bool:
-    """Whether a line of a file that is put in at several places goes wrong at each of them that can be reached."""
-    if routine.files is None:
-        return True
-    at = routine.graph.nodes[node].line
-    place = (routine.files[at], routine.rows[at])
-    others = (each for each in solution.before if (routine.files[each], routine.rows[each]) == place)
-    known = {**solution.remarks, **solution.proofs}
-    return all(each in known and known[each].kind == proof.kind for each in others)
 
 
 def _idle(program: Program, analysis: Analysis, written: Written) -> Iterator[Finding | None]:
@@ -83,10 +74,11 @@ def _idle(program: Program, analysis: Analysis, written: Written) -> Iterator[Fi
     if general is not program:
         for _ in general.solving():
             yield None
-    explained = Explanation(general, analysis, written)
+    explained, places = Explanation(general, analysis, written), Places(general)
     for routine in routines:
         if routine.name in general.solved:
-            for node, dead in _ways(routine, general.solved[routine.name].solution):
+            ways = _ways(routine, general.solved[routine.name].solution)
+            for node, dead in (each for each in ways if places.alone(routine, each[0])):
                 proof = Proof(dead.kind, dead.span, dead.message, severity=dead.severity)
                 yield from _found(explained, routine, node, proof, analysis)
     for name in unreached:
@@ -100,8 +92,14 @@ def _ways(routine: Routine, solution: Solution) -> list[tuple[int, Dead]]:
         (node, dead)
         for node in sorted(solution.before)
         for dead in routine.graph.nodes[node].dead
-        if node not in solution.proofs and solution.targets(node) and dead.target not in solution.targets(node)
+        if node not in solution.proofs and solution.targets(node) and _is_dead(solution, node, dead)
     ]
+
+
+def _is_dead(solution: Solution, node: int, dead: Dead) -> bool:
+    if dead.later:
+        return dead.target not in solution.before and solution.ends and all(map(solution.targets, solution.before))
+    return dead.target not in solution.targets(node)
 
 
 def _is_called(program: Program, name: str) -> bool:
@@ -120,7 +118,7 @@ def _unreached(program: Program, explained: Explanation, name: str, analysis: An
 def _is_endless(solution: Solution, loop: Loop) -> bool:
     """Whether every way through a loop goes round again, and nothing in it can stop the control."""
     inside = [node for node in solution.before if loop.first <= node <= loop.last]
-    if loop.head not in solution.before or not solution.doubtful.isdisjoint(inside):
+    if not {loop.head, loop.test} <= solution.before.keys() or not solution.doubtful.isdisjoint(inside):
         return False
     ways = [solution.targets(node) for node in inside]
     return all(way and all(loop.first <= target <= loop.last for target in way) for way in ways)

@@ -42,12 +42,22 @@ class Solution:
         yield from self._follow([min(self.graph.nodes, default=RETURN)], self._grown)
         self._rounds.clear()
         yield from self._follow(list(self.graph.heads), self._settled)
+        if self.graph.heads:
+            self._calls.again()
+            for node, env in list(self.before.items()):
+                if self.graph.nodes[node].calls:
+                    self._flows(node, env)
         del self._calls
 
     @property
     def returned(self) -> Env | None:
         """What it returns with; None: it does not return."""
         return joined_all(self._came[RETURN].values())
+
+    @property
+    def ends(self) -> bool:
+        """Whether any way comes to its end, or to that of the program."""
+        return bool(self._came[RETURN] or self._came[STOP])
 
     def targets(self, node: int) -> tuple[int, ...]:
         """Where a node may go on."""

@@ -22,7 +22,7 @@ def said(value: Value) -> str:
 
 
 def _range(value: Value) -> str:
-    low, high = value.low > -LARGEST / 2, value.high < LARGEST / 2
+    low, high = value.low > -LARGEST / 4, value.high < LARGEST / 4
     if value.low == value.high:
         return _number(value.low)
     integers = value.step == UNITS and value.whole

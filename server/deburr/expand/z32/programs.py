@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from deburr.expand.z32.stores import beside, found_files, nearest_file, own_files
 from deburr.expand.z32.unit import Program, Unit
+from deburr.includes.z32 import beside, found_files, nearest_file, own_files
 from deburr_grammar.document import Document
 
 if TYPE_CHECKING:

@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from deburr.expand.z32 import stores
 from deburr.ide.refactor import Cannot, Constant, Extraction, NewFile, Numbering
+from deburr.includes import z32 as stores
 from deburr.symbols import Mention, Sort, Symbol, language_of
 from deburr_grammar.text import Span
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
-from deburr.expand.z32.stores import found_files, own_files
+from deburr.includes.z32 import found_files, own_files
 from deburr.rule import Line
 from deburr.rules.z32._fields import certain
 from deburr.rules.z32._program import beside, called, lines, numbers_of

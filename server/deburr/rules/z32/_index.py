@@ -17,6 +17,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('call_depth', 3, True, False, False, 'Whole', {}, False),
     ('comment_nested', 3, True, False, False, 'Syntax', {'kinds': (), 'only': None}, False),
     ('comment_unclosed', 3, True, False, False, 'Syntax', {'kinds': (), 'only': None}, False),
+    ('condition_constant', 2, True, False, False, 'Proven', {}, False),
     ('cut_without_feed', 2, True, False, False, 'Moved', {'needs': 'limits', 'unless_said': True}, False),
     ('divide_by_zero', 3, True, False, False, 'Nodes', {'kinds': ('product',), 'by_shape': False}, False),
     ('domain', 3, True, False, False, 'Nodes', {'kinds': ('function', 'product', 'sum'), 'by_shape': False}, False),
@@ -47,6 +48,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('jump_target_missing', 3, True, False, False, 'Whole', {}, False),
     ('label_unused', 1, False, False, False, 'Whole', {}, False),
     ('limit', 3, True, False, True, 'Ran', {}, False),
+    ('loop_idle', 2, True, False, False, 'Proven', {}, False),
     ('lower_case', 1, True, False, False, 'Text', {'pattern': '[a-z]', 'signs': ''}, False),
     ('number_digits', 3, True, False, False, 'Text', {'pattern': '[0-9][0-9.,]{9}', 'signs': ''}, False),
     ('number_format', 3, True, False, False, 'Nodes', {'kinds': ('bad_number', 'stray', 'loose'), 'by_shape': False}, False),
@@ -67,6 +69,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('read_before_set', 3, True, True, True, 'Ran', {}, False),
     ('relational_outside_if', 3, True, False, False, 'Syntax', {'kinds': (), 'only': None}, False),
     ('same_block_use', 2, True, False, False, 'Text', {'pattern': '[<\\[&][^\\n<\\[&]*?[Hh][A-Za-z]', 'signs': ''}, False),
+    ('sub_unreachable', 2, True, False, False, 'Proven', {}, False),
     ('text_after_end', 1, True, False, False, 'Whole', {}, False),
     ('word_syntax', 3, True, False, False, 'Syntax', {'kinds': (), 'only': None}, False),
 )

@@ -8,8 +8,8 @@ from weakref import WeakKeyDictionary
 
 from deburr.analysis import Analysis
 from deburr.arithmetic.z32 import integer
-from deburr.expand.z32 import stores
 from deburr.expand.z32.unit import ACTIVE
+from deburr.includes import z32 as stores
 from deburr.rule import Line
 from deburr.rules.z32._values import known
 from deburr_grammar.dialects.z32.forms import NUMBERED, number, number_of

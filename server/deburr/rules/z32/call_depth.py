@@ -40,7 +40,7 @@ Good:
     M30
     :1
     G0 X<HA>
-    !IF HA>5; HA=0; GOP1!
+    !IF HA>9; HA=0; GOP1!
     !HA=HA+1; IF HA<9; GOP1!
     G26
 """

@@ -22,8 +22,8 @@ Good (file-root=icamfs):
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.expand.z32.stores import found_files, nearest_file
 from deburr.fixers import did_you_mean
+from deburr.includes.z32 import found_files, nearest_file
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.z32._program import beside, lines
 from deburr_grammar.text import Span

@@ -36,7 +36,7 @@ from collections.abc import Set as AbstractSet
 from functools import cache
 
 from deburr.analysis import Analysis
-from deburr.expand.z32.stores import programs
+from deburr.includes.z32 import programs
 from deburr.rule import Line, Report, Severity, Whole, rule
 from deburr.rules.z32._program import beside, called, lines
 from deburr_grammar.dialects.z32.forms import sections_in

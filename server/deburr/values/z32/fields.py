@@ -1,0 +1,291 @@
+"""What the fields of an advanced line of Z32 do, as nodes of a graph: assignments, IF, EB, jumps, calls, CP and PC (spec/z32.md §6.2 to §6.4). Knows no other line but through its builder."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from deburr.arithmetic.z32 import constant, integer, shown, to_cartesian, to_polar
+from deburr.finding import Severity
+from deburr.values import operations as on
+from deburr.values.domain import Value, between, exactly
+from deburr.values.graph import Calls, Dead, Env, Flows
+from deburr.values.z32.conditions import condition_of
+from deburr.values.z32.expressions import Expressions, Unread, put
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node, Token
+
+if TYPE_CHECKING:
+    from deburr.values.z32.flow import Builder, Site
+    from deburr.values.z32.lines import Taken
+    from deburr_grammar.line import LineNode
+
+_PLAIN = frozenset(("NUMBER", "NAME", "other", "vector", "unary"))
+"""Sides of a condition that calculate nothing: what they ask for is not whether something comes out even."""
+_SKEWED = 1 + 1e-12
+"""What a radius may be off by."""
+
+
+def fields_of(node: LineNode) -> list[list[Node]]:
+    """The fields of an advanced line between `!` and `!`; none of a block."""
+    found: list[list[Node]] = []
+    line = next(node.find("advanced"), None) if "advanced" in node.kinds else None
+    for part in line.children if line is not None else ():
+        if isinstance(part, Node):
+            found[-1].append(part)
+        elif part.kind == "BANG":
+            found.append([])
+    return [fields for fields in found if fields]
+
+
+class Fields:
+    """The fields of one line."""
+
+    def __init__(self, builder: Builder, at: int, line: Taken) -> None:
+        self._builder = builder
+        self._at = at
+        self._line = line
+        self._text = line.node.text
+        self._groups = fields_of(line.node)
+        self._behind = builder.behind(at)
+        self._left = builder.leaving(at)
+        self._conditions: list[tuple[int, Node]] = []
+        """The IFs, with their nodes, that hold where a field of the same group is reached."""
+
+    def add(self) -> None:
+        """Take each field in as a node."""
+        number = self._builder.first(self._at)
+        if not self._groups:
+            self._going_on(number, Expressions(self._text, self._builder.world), None)
+        last = number + sum(map(len, self._groups))
+        for fields in self._groups:
+            over = number + len(fields)
+            self._conditions = []
+            for field in fields:
+                following = number + 1 if number + 1 < last else None
+                self._field(field, number, following, over if over < last else None)
+                number += 1
+
+    def _field(self, field: Node, number: int, following: int | None, over: int | None) -> None:
+        expressions = Expressions(self._text, self._builder.world)
+        match field.kind:
+            case "if":
+                self._decide(field, number, expressions, following, over)
+            case "assign":
+                self._assign(field, number, expressions, following)
+            case "jump":
+                self._jump(field, number, expressions)
+            case "call" | "file_call":
+                self._call(field, number, expressions)
+            case "polar":
+                self._polar(field, number, expressions, following)
+            case "stop":
+                self._going_on(number, expressions, None)
+            case _:
+                raise Unread
+
+    def _flows(self, env: Env, to: int | None) -> Flows:
+        """On to another field of the line, or out of it."""
+        return self._left(self._behind, env) if to is None else ((to, env),)
+
+    def _ways(self, *to: int | None) -> set[int]:
+        out = self._builder.exits(self._at, [self._behind]) if None in to else set[int]()
+        return out | {each for each in to if each is not None}
+
+    def _going_on(self, number: int, expressions: Expressions, to: int | None) -> None:
+        self._builder.add(number, self._at, lambda env, calls: self._flows(env, to), expressions, self._ways(to))
+
+    def _decide(
+        self, field: Node, number: int, expressions: Expressions, then: int | None, otherwise: int | None
+    ) -> None:
+        comparison = field.children[1]
+        assert isinstance(comparison, Node)
+        condition = condition_of(self._text, comparison, expressions)
+        self._conditions.append((number, field))
+
+        def decided(env: Env, calls: Calls) -> Flows:
+            known = condition.holds(env)
+            flows: list[tuple[int, Env]] = []
+            for to, holds in ((then, True), (otherwise, False)):
+                learned = condition.learned(env, holds) if known in (None, holds) else None
+                if learned is not None:
+                    flows += self._flows(learned, to)
+            return flows
+
+        span, ways = Span(comparison.start, comparison.end), self._ways(then, otherwise)
+        dead = self._idle(field, span, then, otherwise) if expressions.used else ()
+        self._builder.add(number, self._at, decided, expressions, ways, condition=span, dead=dead)
+
+    def _idle(self, field: Node, span: Span, then: int | None, otherwise: int | None) -> tuple[Dead, ...]:
+        """What is said of a condition that decides nothing. One that jumps to the end of the program guards against what ought not to be."""
+        if then is None or then == otherwise or self._builder.is_end(self._at):
+            return ()
+        fields = next(group for group in self._groups if field in group)
+        jump = next((each for each in fields[fields.index(field) + 1 :] if each.kind == "jump"), None)
+        rows = self._rows(jump) if jump is not None else ()
+        said = self._text[span.start : span.end]
+        if rows and jump is not None and jump.node("range_end") is None and rows[0] <= self._at:
+            message = f"`{said}` never holds here, so that the loop makes one pass only"
+            return (Dead(then, "loop-idle", span, message),)
+        always = Dead(
+            self._behind if otherwise is None else otherwise,
+            "condition-constant",
+            span,
+            f"`{said}` always holds here",
+            Severity.INFO,
+        )
+        comparison = field.children[1]
+        assert isinstance(comparison, Node)
+        plain = all(part.kind in _PLAIN for part in (comparison.children[0], comparison.children[-1]))
+        message = f"`{said}` never holds here, so that what hangs on it is never run"
+        never = Dead(then, "condition-constant", span, message)
+        guards = bool(rows) and self._builder.only_stops(rows[0])
+        return (*(() if guards else (never,)), *((always,) if plain else ()))
+
+    def _rows(self, jump: Node) -> Sequence[int]:
+        """The lines to which a jump leads."""
+        part = jump.children[1]
+        value = constant(self._text, part)
+        return self._builder.targets(self._at, value, part.kind == "angle") if isinstance(value, float) else ()
+
+    def _assign(self, field: Node, number: int, expressions: Expressions, to: int | None) -> None:
+        put_in = expressions.assigned(field.children[0], field.children[2])
+        ways = self._ways(to)
+        self._builder.add(number, self._at, lambda env, calls: self._flows(put_in(env), to), expressions, ways)
+
+    def _jump(self, field: Node, number: int, expressions: Expressions) -> None:
+        part, builder = field.children[1], self._builder
+        value = constant(self._text, part)
+        ranged, site = field.node("range_end") is not None, builder.site(self._at, field)
+        if ranged and site is None:
+            self._lost(number, expressions)
+            return
+
+        dead = self._return(site, field) if site is not None else ()
+
+        def sent(env: Env, to: int) -> Flows:
+            return ((to, builder.pushed(env, site)),) if site is not None else self._left(to, env)
+
+        if isinstance(value, float):
+            rows = builder.targets(self._at, value, part.kind == "angle")
+            if len(rows) != 1:
+                self._lost(number, expressions)
+                return
+            to = builder.first(rows[0])
+            ways = {to} if ranged else builder.exits(self._at, [to])
+            builder.add(number, self._at, lambda env, calls: sent(env, to), expressions, ways, dead=dead)
+            if rows[0] <= self._at and not ranged and self._conditions:
+                test, condition = self._conditions[-1]
+                builder.back(number, to, test, Span(condition.start, field.end))
+            return
+        get = expressions.value(part)
+
+        def computed(env: Env, calls: Calls) -> Flows:
+            value = get(env)
+            found = builder.labelled(value)
+            if not found and not value.empty:
+                said = f"N{shown(value.low)}" if value.exact else f"any of the values of `{expressions.said(part)}`"
+                message = f"no block has the number {said}, so the control stops at this jump"
+                raise expressions.proof("jump-target-missing", part, message)
+            expressions.doubtful = expressions.doubtful or not value.exact
+            rows = [builder.targets(self._at, each, True) for each in found]
+            expressions.doubtful = expressions.doubtful or any(len(each) != 1 for each in rows)
+            return [flow for each in rows if len(each) == 1 for flow in sent(env, builder.first(each[0]))]
+
+        everywhere = [builder.first(at) for at, line in enumerate(builder.lines) if line.label is not None]
+        builder.add(number, self._at, computed, expressions, builder.exits(self._at, everywhere), dead=dead)
+
+    def _return(self, site: Site, field: Node) -> tuple[Dead, ...]:
+        """Where a range comes back; what is said of a jump that never does."""
+        last, behind = field.node("range_end"), self._behind
+        assert last is not None, "a site has a range"
+        passing = Expressions(self._text, self._builder.world)
+        self._builder.add(site.returns, self._at, lambda env, calls: ((behind, env),), passing, (behind,))
+        start, end = (self._text[part.start : part.end].lstrip("- \t") for part in (field.children[1], last))
+        message = f"on every way from N{start} the program ends before it comes to {end}, so this jump never returns"
+        return (Dead(site.returns, "range-open-at-end", Span(last.start + 1, last.end), message, later=True),)
+
+    def _lost(self, number: int, expressions: Expressions) -> None:
+        """A jump to a block that is not there, or is there twice: the control stops, and other rules say so."""
+
+        def stopped(env: Env, calls: Calls) -> Flows:
+            expressions.doubtful = True
+            return ()
+
+        self._builder.add(number, self._at, stopped, expressions, ())
+
+    def _call(self, field: Node, number: int, expressions: Expressions) -> None:
+        builder, part = self._builder, field.children[1]
+        name = builder.called(self._line, field)
+        builder.callees.add(name)
+        known = field.kind == "file_call" or isinstance(constant(self._text, part), float)
+        number_of = None if known else expressions.value(part)
+
+        def called(env: Env, calls: Calls) -> Flows:
+            if number_of is not None:
+                self._judge_number(part, number_of(env), expressions)
+            expressions.doubtful = True
+            shared: Env = {key: value for key, value in env.items() if isinstance(key, str)}
+            found = calls.call(name, {}, shared)
+            if found is None:
+                return self._flows({key: value for key, value in env.items() if not isinstance(key, str)}, None)
+            if found.env is None:
+                return ()
+            written = found.written
+            left = {
+                k: v for k, v in env.items() if not isinstance(k, str) or (written is not None and k not in written)
+            }
+            given: Env = {k: v for k, v in found.env.items() if isinstance(k, str)}
+            return self._flows({**left, **given}, None)
+
+        ways = self._ways(None)
+        builder.add(number, self._at, called, expressions, ways, callee=name, calls=True)
+
+    def _judge_number(self, part: Node | Token, value: Value, expressions: Expressions) -> None:
+        if value.exact and integer(value.low) is None:
+            message = (
+                f"there is no program {shown(value.low)}: the number of a program is an integer; the control stops here"
+            )
+            raise expressions.proof("program-number", part, message)
+
+    def _polar(self, field: Node, number: int, expressions: Expressions, to: int | None) -> None:
+        """CP and PC calculate with HX, HY, HR and HT."""
+        part = field.children[0]
+        turns = self._text[part.start].upper() == "C"
+        read, set_ = (("HX", "HY"), ("HR", "HT")) if turns else (("HR", "HT"), ("HX", "HY"))
+        one, two = (expressions.read(name) for name in read)
+        expressions.sets |= set(set_)
+
+        def converted(env: Env, calls: Calls) -> Flows:
+            a, b = one(env), two(env)
+            found = self._to_polar(a, b, part, expressions) if turns else _to_cartesian(a, b)
+            for name, value in zip(set_, found):
+                env = put(env, name, value)
+            return self._flows(env, to)
+
+        self._builder.add(number, self._at, converted, expressions, self._ways(to))
+
+    def _to_polar(self, x: Value, y: Value, part: Node | Token, expressions: Expressions) -> Iterable[Value]:
+        if not x.exact or not y.exact:
+            most = [max(-value.low, value.high) for value in (x, y)]
+            least = max(0.0, *(max(value.low, -value.high) for value in (x, y)))
+            about = between(least / _SKEWED, math.hypot(*most) * _SKEWED)
+            expressions.doubtful = expressions.doubtful or about.wild
+            return about._replace(wild=False), Value(-180.0, 180.0)
+        radius, angle = to_polar(x.low, y.low)
+        said = expressions.said(part)
+        if math.isinf(radius):
+            message = f"`{said}` has a result beyond the largest number here; the control stops"
+            raise expressions.proof("domain", part, message)
+        if radius == 0:
+            message = f"`{said}` finds HX and HY at 0, where there is no angle; HR and HT become 0"
+            expressions.remarks.append(expressions.proof("polar-origin", part, message))
+        return exactly(radius), exactly(angle)
+
+
+def _to_cartesian(radius: Value, angle: Value) -> Iterable[Value]:
+    if radius.exact and angle.exact:
+        return map(exactly, to_cartesian(radius.low, angle.low))
+    found = on.times(radius, Value(-1.0, 1.0))._replace(wild=False)
+    return found, found
