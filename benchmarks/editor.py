@@ -22,6 +22,7 @@ OURS, STOCK = "deburr", "benchmarks.stock"
 ASKED = ("hover", "completion", "definition")
 PAUSE = 0.05
 """Seconds between keystrokes: someone types, so the check of the whole program has begun again at the next one."""
+_ENDLESS = "G21 G90\n#1=0\no1 while [#1 LT 100000000]\n#1=[#1+1]\no1 endwhile\nG0 X1\nM2\n"
 _ROOT = Path(__file__).parents[1]
 _NAME = re.compile(r"#<(\w+)>|o<(\w+)>|#([0-9]+)|([A-Z])[-0-9]")
 
@@ -101,6 +102,24 @@ def times(module: str, path: str, places: int, *, requests: bool = True) -> Time
         asked = {method: _asked(client, uri, lines, method, random, places) for method in ASKED} if requests else {}
         typed = [_typed(client, uri, lines, random) for _ in range(places)]
         return Times(opened, middle(typed), asked, resident(client.process.pid))
+
+
+def previewing(places: int) -> tuple[Taken, Taken]:
+    """Medians of a keystroke in a small program: while nothing else is done, and while an endless loop in another one is expanded."""
+    with server(OURS) as client:
+        client.start(PUSHED)
+        endless = client.open("endless.ngc", _ENDLESS, "rs274")
+        lines = ["G21 G90 G17", *(f"G1 X{number} F100" for number in range(100)), "M2", ""]
+        uri = client.open("program.ngc", "\n".join(lines), "rs274")
+        client.pushed(uri)
+        random = Random(SEED)
+        alone = [_typed(client, uri, lines, random) for _ in range(places)]
+        argument = {"uri": endless, "maxSteps": 0}
+        number = client.ask("workspace/executeCommand", {"command": "deburr.expand", "arguments": [argument]})
+        client.settle()
+        beside = [_typed(client, uri, lines, random) for _ in range(places)]
+        client.notify("$/cancelRequest", {"id": number})
+        return middle(alone), middle(beside)
 
 
 def _typed(client: Client, uri: str, lines: Sequence[str], random: Random) -> Taken:

@@ -210,16 +210,24 @@ class Document:
         """The opener of the innermost block that is open at a place, by depth alone; None outside all blocks of its region."""
         return Partners(self._outliner, self._way(line).path).around(line, col)
 
-    def gathered(self, key: Hashable, of: Callable[[Piece], frozenset[S]]) -> frozenset[S]:
-        """What the pieces hold, united. It may hang on a piece's text, its readings and ``key`` alone, and is kept with chunks and branches."""
-        return self._gathered(self._root, self._outliner.start, key, of)
+    def gathered(
+        self,
+        key: Hashable,
+        of: Callable[[Piece], frozenset[S]],
+        cut: Callable[[frozenset[S]], frozenset[S]] = lambda found: found,
+    ) -> frozenset[S]:
+        """What the pieces hold, united. It may hang on a piece's text, its readings and ``key`` alone, and is kept with chunks and branches.
+
+        ``cut`` leaves what is wanted of many: what a whole loses so, its parts may lose before they are united. It belongs to the key.
+        """
+        return self._gathered(self._root, self._outliner.start, key, of, cut)
 
     def holding(self, key: Hashable, of: Callable[[Piece], frozenset[S]], item: S) -> Iterator[Piece]:
         """The pieces that hold an item of what is `gathered`, in order; branches without it are passed over."""
         waiting: list[tuple[Branch | Chunk, Before, int]] = [(self._root, self._outliner.start, 0)]
         while waiting:
             node, before, line = waiting.pop()
-            if item not in self._gathered(node, before, key, of):
+            if item not in self._gathered(node, before, key, of, lambda found: found):
                 continue
             if isinstance(node, Chunk):
                 yield Piece(line, node, before, self._outliner.outlined(node, before))
@@ -231,16 +239,21 @@ class Document:
             waiting += reversed(inner)
 
     def _gathered(
-        self, node: Branch | Chunk, before: Before, key: Hashable, of: Callable[[Piece], frozenset[S]]
+        self,
+        node: Branch | Chunk,
+        before: Before,
+        key: Hashable,
+        of: Callable[[Piece], frozenset[S]],
+        cut: Callable[[frozenset[S]], frozenset[S]],
     ) -> frozenset[S]:
         full = (key, self._outliner.key(node, before))
         found: frozenset[S] | None = node.memo.get(full)
         if found is None:
             if isinstance(node, Chunk):
-                found = of(Piece(0, node, before, self._outliner.outlined(node, before)))
+                found = cut(of(Piece(0, node, before, self._outliner.outlined(node, before))))
             else:
                 inner = self._outliner.inner(node, before)
-                found = frozenset[S]().union(*(self._gathered(child, held, key, of) for child, held in inner))
+                found = cut(frozenset[S]().union(*(self._gathered(child, held, key, of, cut) for child, held in inner)))
             self._outliner.keep(node, full, found)
         return found
 

@@ -21,6 +21,8 @@ class Fold(Protocol[S]):
     """A state and how lines change it. States must be cheap to hash: intern what is large."""
 
     start: S
+    only_brackets: bool
+    """Whether nothing else than brackets changes it."""
 
     def plain(self, state: S, reading: Reading, shape: Shape) -> S:
         """The state behind a line without marks: it may depend on the shape alone."""
@@ -57,6 +59,12 @@ def through(fold: Fold[S], state: S, chunk: Chunk, outlined: Outlined, upto: int
     held: dict[int, list[Bracket]] = {}
     for index, bracket in outlined.brackets:
         held.setdefault(index, []).append(bracket)
+    if fold.only_brackets:
+        for index, brackets in held.items():
+            if upto is None or index < upto:
+                node = LineNode(chunk.line(index), outlined.reading(index), chunk.shapes[index])
+                state = fold.marked(state, node, brackets)
+        return state
     plain = fold.plain
     for index, shape in enumerate(chunk.shapes[:upto]):
         reading = runs.get(index, reading)

@@ -74,6 +74,8 @@ class State:
 class Modal:
     """The fold of one dialect: make one with `modal_of`. States are kept under it."""
 
+    only_brackets = False
+
     def __init__(self, dialect: Dialect, modality: Modality) -> None:
         self._dialect = dialect
         self._modality = modality

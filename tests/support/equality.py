@@ -37,6 +37,7 @@ class Tally:
     """A fold that notices everything it is shown, and forgets enough to agree with itself again."""
 
     start = 0
+    only_brackets = False
 
     def plain(self, state: int, reading: Reading, shape: Shape) -> int:
         return (state * 3 + len(shape.text) + len(reading.name)) % 11

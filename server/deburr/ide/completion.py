@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from heapq import nsmallest
 from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.ide.hover import described, rows
 from deburr.ide.related import related
-from deburr.symbols import Act, Language, Offer, Sort, Symbol, entry_of, language_of
+from deburr.symbols import Act, Language, Offer, Sort, entry_of, language_of
 from deburr.symbols.constants import constants_of
-from deburr.symbols.index import all_symbols, at, mentions_of, on_line, region
+from deburr.symbols.index import all_symbols, at, first_symbols, mentions_of, on_line, region
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
@@ -30,22 +29,8 @@ _BARE = (Sort.SECTION, Sort.LABEL)
 """Where these are named, their sign is not written again."""
 
 
-MOST = 1_000
+MOST = 250
 """So many names of a program are offered at a place; a program may have a label on every line."""
-
-
-def _first(symbols: frozenset[Symbol], language: Language, begun: str) -> list[Symbol]:
-    """The first names in order; of too many those that go on as what is written begins."""
-    found: Collection[Symbol] = symbols
-    if len(symbols) > MOST and begun:
-        wanted = begun.lower()
-        found = [each for each in symbols if wanted in (each.name[: len(wanted)].lower(), language.written(each)[: len(wanted)].lower())]  # fmt: skip
-    return nsmallest(MOST, found, key=_in_order)
-
-
-def _in_order(symbol: Symbol) -> tuple[bool, int, str]:
-    """Numbers as numbers, names behind them."""
-    return not symbol.name.isdigit(), len(symbol.name) if symbol.name.isdigit() else 0, symbol.name
 
 
 class Item(NamedTuple):
@@ -152,7 +137,7 @@ def _symbols(view: View, pos: Pos, language: Language, sort: Sort, span: Span) -
     placed = at(view.document, pos.line, pos.col)
     written = placed.mention.symbol if placed is not None else None
     for each in related(view):
-        for symbol in _first(all_symbols(each.document, sort), language, view.document.line(pos.line)[slice(*span)]):
+        for symbol in first_symbols(each.document, sort, view.document.line(pos.line)[slice(*span)], MOST):
             if symbol == written and len(list(islice(mentions_of(each.document, symbol, own), 2))) < 2:
                 continue
             if symbol.sort is not sort or not symbol.name or (symbol.local and each is not view):

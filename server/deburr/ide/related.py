@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
+from deburr.ruleset import RuleSet
 from deburr.symbols import Act, Sort, Symbol, language_of
 from deburr.symbols.index import Placed, Region, all_symbols, mentions_of
 
@@ -19,15 +21,18 @@ _SHARED = (Sort.SUB, Sort.FILE, Sort.VARIABLE)
 
 
 class _Glance:
-    """A host that looks into each folder once: the thousands of names of a library may all lead into the same."""
+    """A host that looks into each folder once: the thousands of names of a library may all lead into the same. It knows what it was asked."""
 
     def __init__(self, host: Host) -> None:
         self._host = host
+        self._texts: dict[str, str | None] = {}
         self._names: dict[str, Sequence[str]] = {}
 
     def read(self, path: str) -> str | None:
         """The text of a file."""
-        return self._host.read(path)
+        if path not in self._texts:
+            self._texts[path] = self._host.read(path)
+        return self._texts[path]
 
     def names(self, folder: str) -> Sequence[str]:
         """The names in a folder."""
@@ -36,15 +41,51 @@ class _Glance:
             found = self._names[folder] = self._host.names(folder)
         return found
 
+    def holds(self, host: Host) -> bool:
+        """Whether a host would still answer all that was asked as it did."""
+        return all(host.names(folder) == names for folder, names in self._names.items()) and all(
+            host.read(path) == text for path, text in self._texts.items()
+        )
+
+
+class _Led(NamedTuple):
+    """The files to which the names of a program lead, and what was looked at to know that."""
+
+    symbols: frozenset[Symbol]
+    glance: _Glance
+    files: tuple[str, ...]
+
+
+_KEPT = 1_024
+_led: OrderedDict[tuple[str, RuleSet], _Led] = OrderedDict()
+"""Of each program as it was last asked about: an edit seldom changes what it calls."""
+
 
 def called(view: View) -> Iterator[View]:
     """The programs whose files a program's names lead to."""
-    language, host = language_of(view.dialect.name), _Glance(view.host)
-    for symbol in all_symbols(view.document, *_FILES) if language is not None else ():
-        path = language.file(symbol, view.file, view.ruleset, host) if language is not None else None
-        found = None if path is None or path == view.file else view.beside(path)
+    for path in _files(view):
+        found = view.beside(path)
         if found is not None:
             yield found
+
+
+def _files(view: View) -> tuple[str, ...]:
+    """The files to which a program's names lead, itself not among them."""
+    language = language_of(view.dialect.name)
+    if language is None:
+        return ()
+    symbols, key = all_symbols(view.document, *_FILES), (view.file, view.ruleset)
+    kept = _led.get(key)
+    same = kept is not None and (kept.symbols is symbols or kept.symbols == symbols)
+    if kept is None or not same or not kept.glance.holds(view.host):
+        glance = _Glance(view.host)
+        found = (language.file(symbol, view.file, view.ruleset, glance) for symbol in symbols)
+        kept = _Led(symbols, glance, tuple(sorted({path for path in found if path is not None and path != view.file})))
+    _led[key] = kept
+    _led.move_to_end(key)
+    if len(_led) > _KEPT:
+        _led.popitem(last=False)
+    return kept.files
 
 
 def related(view: View) -> list[View]:

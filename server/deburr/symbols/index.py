@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Hashable, Iterator, Sequence
-from heapq import merge
+from heapq import merge, nsmallest
+from itertools import islice
 from operator import attrgetter, itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -37,6 +38,7 @@ class _Regions:
     """A fold whose state is the region."""
 
     start: Region = None
+    only_brackets = True
 
     def plain(self, state: Region, reading: Reading, shape: Shape) -> Region:
         """Only brackets change it."""
@@ -101,6 +103,26 @@ def all_symbols(document: Document, *sorts: Sort) -> frozenset[Symbol]:
         return document.gathered(index.key, index.symbols)
     chosen = frozenset(sorts)
     return document.gathered((index.key, chosen), lambda piece: _of_sorts(index.symbols(piece), chosen))
+
+
+def first_symbols(document: Document, sort: Sort, begun: str, most: int) -> list[Symbol]:
+    """The first names of a sort in order, numbers as numbers; of more than ``most`` those that go on as what is written begins.
+
+    How many there are does not matter: each part of a program knows its first ones, and where those stand that begin in some way.
+    """
+    index = _Index.of(document)
+    if index is None:
+        return []
+    several = most + 1
+
+    def cut(found: frozenset[Symbol]) -> frozenset[Symbol]:
+        return found if len(found) <= several else frozenset(nsmallest(several, found, key=_in_order))
+
+    chosen = frozenset((sort,))
+    found = document.gathered((index.key, chosen, several), lambda piece: _of_sorts(index.symbols(piece), chosen), cut)
+    if len(found) > most and begun:
+        found = frozenset(each for piece in document.pieces() for each in index.beginning(piece, sort, begun.lower()))
+    return nsmallest(most, found, key=_in_order)
 
 
 def all_called(document: Document, sort: Sort) -> frozenset[Symbol]:
@@ -207,6 +229,19 @@ class _Index:
                     found.setdefault(mention.symbol, []).append((index, mention))
         return found
 
+    def beginning(self, piece: Piece, sort: Sort, begun: str) -> Iterator[Symbol]:
+        """The symbols of a sort in a piece whose names, bare or as they are written, begin in some way; in small letters."""
+        key = ("written", sort, self.key, self._document.key(piece))
+        known: list[tuple[str, Symbol]] | None = piece.chunk.memo.get(key)
+        if known is None:
+            symbols = [each for each in self.symbols(piece) if each.sort is sort]
+            both = [(said.lower(), each) for each in symbols for said in (each.name, self._language.written(each))]
+            known = piece.chunk.memo[key] = sorted(both, key=itemgetter(0))
+        for said, symbol in islice(known, bisect_left(known, begun, key=itemgetter(0)), None):
+            if not said.startswith(begun):
+                return
+            yield symbol
+
     def _mentions(self, piece: Piece) -> Iterator[tuple[int, Mention]]:
         naming = self._language.NAMING
         for index, _, _ in piece.where(lambda reading, shape: not shape.facts(reading).kinds.isdisjoint(naming)):
@@ -224,6 +259,11 @@ def _in_force(regions: Sequence[tuple[int, Region]], index: int, document: Docum
     """The region of a line of a piece."""
     found = _said(regions, index)
     return document.state(_REGIONS, piece.line) if found == _INHERITED else found
+
+
+def _in_order(symbol: Symbol) -> tuple[bool, int, str]:
+    """Numbers as numbers, names behind them."""
+    return not symbol.name.isdigit(), len(symbol.name) if symbol.name.isdigit() else 0, symbol.name
 
 
 def _of_sorts(symbols: frozenset[Symbol], sorts: frozenset[Sort]) -> frozenset[Symbol]:
