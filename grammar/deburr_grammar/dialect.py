@@ -137,6 +137,8 @@ class Setting(NamedTuple):
     choices: tuple[str, ...] = ()
     each: Callable[[str, Any], str] | None = None
     """What is wrong (nothing: "") with a key of a table and its value, with an item of a list (and None), or with the setting's name and its text."""
+    found: tuple[str, ...] = ()
+    """How the files that it may name are called, as patterns; of folders with a slash behind. `deburr init` looks for them."""
 
 
 def letters(known: str) -> Callable[[str, Any], str]:

@@ -327,5 +327,39 @@ def test_init_says_what_the_defaults_are(shell):
             )
 
 
+def test_init_names_what_lies_in_the_folder(shell):
+    shell.write("a.ngc", "G21\nM2\n")
+    shell.write("b.nc", "#<depth>=1\nM2\n")
+    shell.write("c.nc", "G0 X1\nM30\n")
+    shell.write("machine/emc.var", "5161\t0.0\n")
+    shell.write("machine/emc.tbl", "T1 P1 D1\n")
+    shell.write("subroutines/x.ngc", "o<x> sub\no<x> endsub\nM2\n")
+    shell.write("part.vars", "Depth=1\n")
+    assert shell.run("init") == (0, "wrote deburr.toml (3 rs274 programs found)\n", "")
+    path = shell.folder / "deburr.toml"
+    text = path.read_text()
+    found = [line[2:].split("  #")[0] for line in text.splitlines() if "found here;" in line]
+    assert found == [
+        'subroutine-path = ["subroutines"]',
+        'parameters = "machine/emc.var"',
+        'tool-table = "machine/emc.tbl"',
+    ]
+    assert '# .nc files here: 1 without a sign of their language, skipped, 1 with one\n# "**/*.nc" = "rs274"' in text
+    assert set(tomllib.loads(text)) & {"rs274", "z32", "cgt", "metagcode"} == {"rs274"}
+    assert "# No programs were found here for [" in text
+    before = shell.run("check", "-v").out
+    for line in found:
+        text = text.replace(f"# {line}  #", f"{line}  #")
+    path.write_text(text.replace('# "**/*.nc"', '"**/*.nc"'))
+    config = read(path.as_posix())
+    assert config.get("rs274", next(s for s in by_name("rs274").settings if s.name == "parameters")).value.endswith(
+        "emc.var"
+    )
+    assert (before, shell.run("check").out) == (
+        "All checks passed (3 checked, 1 skipped: no dialect)\n",
+        "All checks passed (4 checked)\n",
+    )
+
+
 def test_config_errors_are_values_of_their_own():
     assert ConfigError("a", "b").messages == ("a", "b")

@@ -56,7 +56,13 @@ DIALECT = Dialect(
         ),
     ),
     settings=(
-        Setting("input", Kind.PATH, "", "the toolpath that `expand` and `check --run` use: .cl or .jsonl"),
+        Setting(
+            "input",
+            Kind.PATH,
+            "",
+            "the toolpath that `expand` and `check --run` use: .cl or .jsonl",
+            found=("*.cl", "*.jsonl"),
+        ),
         Setting("machine", Kind.PATH, "", "a machine file: formats, words, tables, arc style"),
     ),
 )

@@ -35,6 +35,12 @@ DIALECT = Dialect(
             "Snippets",
             "the folder of snippet files, beside the program unless it is an absolute path",
         ),
-        Setting("variables", Kind.PATH, "", "a file with the values of variables: name=value lines, or JSON"),
+        Setting(
+            "variables",
+            Kind.PATH,
+            "",
+            "a file with the values of variables: name=value lines, or JSON",
+            found=("*.vars",),
+        ),
     ),
 )

@@ -39,8 +39,14 @@ DIALECT = Dialect(
             "profile", Kind.CHOICE, "linuxcnc", "whose manual decides where the two differ", ("linuxcnc", "smithy")
         ),
         Setting("compare", Kind.CHOICE, "1e-4", "how near two values must be to be EQ", ("1e-4", "1e-6")),
-        Setting("subroutine-path", Kind.PATHS, (), "folders in which called subroutine files are looked for"),
-        Setting("parameters", Kind.PATH, "", "a .var file with stored parameters"),
+        Setting(
+            "subroutine-path",
+            Kind.PATHS,
+            (),
+            "folders in which called subroutine files are looked for",
+            found=("sub*/", "macros/", "nc_subroutines/"),
+        ),
+        Setting("parameters", Kind.PATH, "", "a .var file with stored parameters", found=("*.var",)),
         Setting(
             "axes",
             Kind.TEXT,
@@ -48,7 +54,7 @@ DIALECT = Dialect(
             "letters of the machine's axes; empty: XYZABCUVW, in the smithy profile XYZABC",
             each=letters("XYZABCUVW"),
         ),
-        Setting("tool-table", Kind.PATH, "", "a tool table"),
+        Setting("tool-table", Kind.PATH, "", "a tool table", found=("*.tbl",)),
         Setting(
             "remap",
             Kind.LIST,

@@ -59,7 +59,7 @@ DIALECT = Dialect(
             "",
             "folder with the programs that GOP calls; GOS looks in the same name with `-temp` behind it",
         ),
-        Setting("file-root", Kind.PATH, "", "folder below which the files of L254 calls are found"),
+        Setting("file-root", Kind.PATH, "", "folder below which the files of L254 calls are found", found=("icamfs/",)),
         Setting("axes", Kind.TEXT, "XYZABC", "letters of the machine's axes", each=letters(_AXES)),
         Setting(
             "pal",
