@@ -54,6 +54,8 @@ PLANTED = {
         "from deburr.analysis import Analysis",
         "Arrows of the server",
     ),
+    "a run looks at moves": ("server/deburr/expand/job.py", "from deburr.motion import Path", "Arrows of the server"),
+    "moves look at rules": ("server/deburr/motion/path.py", "import deburr.rules.common", "Arrows of the server"),
 }
 
 

@@ -2,6 +2,7 @@
 
 import math
 from itertools import pairwise
+from random import Random
 
 import pytest
 
@@ -118,3 +119,64 @@ def test_a_million_moves_are_held_in_some_sixty_megabytes() -> None:
     assert len(path) == 10_000
     with pytest.raises(TypeError):
         path.x[0] = 1.0
+
+
+WORDS = (
+    "G0",
+    "G1",
+    "G2",
+    "G3",
+    "X",
+    "Y",
+    "Z",
+    "I",
+    "J",
+    "R",
+    "F",
+    "A",
+    "G90",
+    "G91",
+    "G20",
+    "G21",
+    "G92",
+    "G55",
+    "G80",
+    "G81",
+    "M3",
+)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_the_short_way_is_the_long_one(seed: int) -> None:
+    """Plain lines are read in a way of their own; with a comment they are not plain."""
+    random = Random(seed)
+    lines = []
+    for _ in range(60):
+        chosen = dict.fromkeys(random.sample(WORDS, random.randint(1, 5)))
+        lines.append(" ".join(word if word[1:] else f"{word}{random.randint(-9, 9) / 2:g}" for word in chosen))
+    short, long = follow(lines), follow([f"{line} (x)" for line in lines])
+    assert [*short.moves()] == [*long.moves()]
+    assert [*short.events] == [*long.events]
+    assert [short.arc(index) for index in range(len(short))] == [long.arc(index) for index in range(len(long))]
+    assert bytes(short.unknown) == bytes(long.unknown)
+
+
+@pytest.mark.parametrize(
+    ("form", "text", "expected"),
+    [
+        (Form(unit=25.4), "G0 X1", (25.4, 0, 0)),
+        (Form(diameter=True), "G0 X10 Z1\nG8", (5, 0, 1)),
+        (Form(step=0.001), "G0 X1000 Y1.5 Z-20", (1, 1.5, -0.02)),
+        (Form(tools={1: {"Z": 2.0}}, tool_unit=25.4), "T1 M6\nG43\nG0 Z10\nG53 G0 Z0", (0, 0, -50.8)),
+        (Form(stored={5221: 100.0, 5220: 1.0}), "G0 X1\nG53 G0 Y2", (101, 2, 0)),
+        (Form(stored={5161: 5.0, 5163: 7.0}), "G28", (5, 0, 7)),
+    ],
+)
+def test_what_differs_from_control_to_control(form: Form, text: str, expected: tuple[float, ...]) -> None:
+    assert ends(text, form)[-1][1] == expected
+
+
+def test_the_centre_of_an_arc_may_be_absolute() -> None:
+    path = follow(["G0 X5 Y0", "G3 X0 Y5 I0 J0 F1", "G91.1 X-5 Y0 I0 J-5"], Form(arc_absolute=True))
+    found = [arc.centre for index in (1, 2) if (arc := path.arc(index)) is not None]
+    assert found == [(0.0, 0.0), (0.0, 0.0)]

@@ -90,6 +90,7 @@ def messages(text: str, machine: Mapping[str, object], **settings: object) -> li
         pytest.param("G0 Z40\nG43.1 Z60\nG0 Z40\nZ41", [4], id="tool length"),
         pytest.param("G0 X290 Y0 Z0\nG18 G2 X290 Y5 Z30 I0 K15 F9", [2], id="an arc out of it and back"),
         pytest.param("G0 X290 Y0 Z0\nG18 G3 X290 Y5 Z30 I0 K15 F9", [], id="an arc on the other side"),
+        pytest.param("G0 X400 Y0 Z0\nG0 Z5\nX401\nG1 Y7 F9\nX5", [1, 3], id="only what brings it there"),
         pytest.param("G20 G0 X11.811\nX12", [2], id="inches"),
         pytest.param("G0 X50 A7000", [], id="an axis without limits"),
     ],

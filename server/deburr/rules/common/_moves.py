@@ -24,15 +24,15 @@ _AXES = "XYZ"
 
 
 def outside(path: Path, machine: Mapping[str, Any]) -> Iterator[Report]:
-    """Moves beyond the limits of an axis: of the machine, so that the tool's length counts."""
+    """Moves that bring an axis beyond its limits: the machine's, so that the tool's length counts."""
     limits = machine["limits"]
     for index, length in _with_lengths(path):
         if path.kinds[index] == Kind.SHIFT:
             continue
-        for axis, low, high in _reached(path, index, length):
+        for axis, low, high, moves in _reached(path, index, length):
             least, most = limits.get(axis, (low, high))
             beyond = low if low < least - _NEAR else high if high > most + _NEAR else None
-            if beyond is not None and _known(path, index, axis):
+            if beyond is not None and moves and _known(path, index, axis):
                 unit = "degrees" if axis in "ABC" else "mm"
                 what = "the arc reaches" if path.kinds[index] == Kind.ARC else "the move goes to"
                 said = f"{what} {axis} {beyond:.6g} {unit}, outside of the machine's limits {least:g} to {most:g}"
@@ -106,12 +106,14 @@ def _with_lengths(path: Path) -> Iterator[tuple[int, Sequence[float]]]:
         yield index, length
 
 
-def _reached(path: Path, index: int, length: Sequence[float]) -> Iterator[tuple[str, float, float]]:
-    """How far each axis goes in a move: the least and the greatest place."""
-    end = (path.x[index], path.y[index], path.z[index])
+def _reached(path: Path, index: int, length: Sequence[float]) -> Iterator[tuple[str, float, float, bool]]:
+    """How far each axis goes in a move: the least and the greatest place, and whether it moves for all that is known."""
+    start, end = path.before(index), (path.x[index], path.y[index], path.z[index])
     arc = path.arc(index)
     lows, highs = extremes(arc) if arc is not None else (end, end)
-    for axis, low, high, offset in zip(_AXES, lows, highs, length):
-        yield axis, low + offset, high + offset
+    lost = path.unknown[index - 1] if index else -1
+    for at, (axis, low, high, offset) in enumerate(zip(_AXES, lows, highs, length)):
+        yield axis, low + offset, high + offset, bool(lost >> at & 1) or not low == high == start[at]
     for axis, column in path.beside.items():
-        yield axis, column[index], column[index]
+        before = column[index - 1] if index else 0.0
+        yield axis, column[index], column[index], bool(lost >> AXES.index(axis) & 1) or column[index] != before
