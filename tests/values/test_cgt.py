@@ -1,33 +1,27 @@
-"""CGT: what is proven of words at each command, that it holds in runs, and what an edit costs (spec/cgt.md §5)."""
+"""CGT: what is proven of words at each command, what is not, and what an edit costs (spec/cgt.md §5)."""
 
-import json
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
-from random import Random
+import re
+from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from deburr.analysis import Analysis
-from deburr.expand import Budget, Inputs, Job, Program, drive
-from deburr.expand.cgt import code, pieces
-from deburr.expand.cgt.state import State
-from deburr.expand.cgt.words import Cell
-from deburr.fault import Halt
 from deburr.finding import Finding, Severity
+from deburr.inputs import Inputs
 from deburr.ruleset import RuleSet
-from deburr.templates.items import Item
 from deburr.values import proving, values_of
-from deburr.values.cgt.words import Shown
-from deburr.values.domain import Value
-from deburr.values.program import Program as Values
+from deburr.values.cgt.generator import NAME as GENERATOR
+from deburr.values.graph import Graph
+from deburr.values.solve import Solution
 from deburr.values.words import said
 from deburr_grammar.document import Document
 from support.cgt import DIALECT
 from support.pages import MemoryHost
-from support.templates import events, template
 from support.values import analysed
 
+ROOT = Path(__file__).parents[2]
 MAIN = "main.cgt"
 RULES, LISTED = RuleSet(DIALECT), RuleSet(DIALECT, {"input": "part.jsonl"})
 
@@ -156,125 +150,57 @@ def test_what_is_given_for_a_run_is_what_a_word_holds_at_first() -> None:
     assert proven(program, define={"V2": "5"}) == []
 
 
-@pytest.mark.parametrize("first", range(0, 1_000, 100))
-def test_runs_see_what_is_proven(first: int) -> None:
-    """Each value that a run sees at a command lies in the range of its place, no command is passed of which a fault is proven, and no way is taken that is never taken."""
-    seen = sum(_watched(seed) for seed in range(first, first + 100))
-    assert seen > 1_000
+def _template_of(text: str) -> str:
+    return re.split(r"^-- .* --\n", re.split(r"^-- main\.cgt --\n", text, flags=re.M)[1], flags=re.M)[0]
 
 
-def _watched(seed: int) -> int:
-    rng = Random(seed)
-    document = Document.parse(template(rng), DIALECT)
-    found = values_of(Analysis(document, RULES, MAIN))
-    assert found is not None, f"seed {seed}"
-    watch, seen = _Watch(found), 0
-    with watch.watching():
-        for _ in range(2):
-            lines = "\n".join(map(json.dumps, events(rng)))
-            host = MemoryHost({"part.jsonl": lines})
-            job = Job((Program(MAIN, document),), LISTED, host, watch, Inputs(), Budget(1_000, 0))
-            for _ in drive(job):
-                pass
-            assert watch.wrong == [], f"seed {seed} with {lines}"
-            seen += watch.seen
-    return seen
+CASES = [
+    path for path in sorted((ROOT / "tests/expand/cases/cgt").glob("*.txtar")) if not path.stem.startswith("fault")
+]
+EXAMPLES = sorted((ROOT / "examples/cgt").glob("*.cgt"))
 
 
-class _Watch:
-    """Looks at the words before each command that is executed."""
-
-    def __init__(self, found: Values) -> None:
-        self._nodes: dict[tuple[int, int], tuple[str, int]] = {}
-        for name, routine in found.routines.items():
-            for number, node in routine.graph.nodes.items():
-                if node.condition is not None:
-                    self._nodes[routine.rows[node.line], node.condition.start] = (name, number)
-        self._found = found
-        self.wrong: list[tuple[object, ...]] = []
-        self.seen = 0
-
-    def line(self, text: str) -> None:
-        """Nobody wants the lines."""
-
-    @contextmanager
-    def watching(self) -> Iterator[None]:
-        """Have each command, test and count looked at."""
-        commanded, tested, counted = pieces.command, pieces.Pieces.test, code.Compiler._count
-
-        def command(state: State, values: Any, item: Item) -> Any:
-            put = commanded(state, values, item)
-            return None if put is None else self._around(state, (item.line, item.start), put)
-
-        def test(made: Any, body: Any) -> Any:
-            at = body.head or body.opener
-            span = at.span
-            if body.head is not None:
-                asked = body.head.node.node("tests") or body.head.node.node("string_tests")
-                span = span if asked is None else asked
-            return self._around(made._state, (at.line, span.start), tested(made, body), decides=True)
-
-        def count(compiler: Any, head: Any) -> Any:
-            start = head.node.children[2].start
-            return self._around(compiler._state, (head.line, start), counted(compiler, head), decides=True)
-
-        with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(pieces, "command", command)
-            patch.setattr(pieces.Pieces, "test", test)
-            patch.setattr(pieces.Pieces, "_lone_word", lambda *_: None)
-            patch.setattr(code.Compiler, "_count", count)
-            yield
-
-    def _around(
-        self, state: State, place: tuple[int, int], run: Callable[..., Any], decides: bool = False
-    ) -> Callable[..., Any]:
-        known = self._nodes.get(place)
-        if known is None:
-            return run
-        name, number = known
-
-        def watched(*arguments: Any) -> Any:
-            solved = self._found.solved.get(name)
-            env = solved.solution.before.get(number) if solved is not None else None
-            if solved is None or env is None:
-                self.wrong.append((place, "is reached"))
-                return run(*arguments)
-            self._look(place, state, env)
-            result = run(*arguments)
-            if number in solved.solution.proofs:
-                self.wrong.append((place, "is passed", solved.solution.proofs[number].message))
-            if (
-                decides
-                and bool(result) != (number + 1 in solved.solution.targets(number))
-                and (result or set(solved.solution.targets(number)) == {number + 1})
-            ):
-                self.wrong.append((place, "goes a way that is never taken", result))
-            return result
-
-        return watched
-
-    def _look(self, place: tuple[int, int], state: State, env: dict[Any, Value]) -> None:
-        for key, value in env.items():
-            if isinstance(key, str):
-                cell = state.words[key]
-                self.seen += 1
-                if not _holds(value, cell.value):
-                    self.wrong.append((place, key, value, cell.value))
-            elif isinstance(key, Shown):
-                self.seen += 1
-                changed = _changed(state, state.words[key.name])
-                if changed is not None and not value.has(float(not changed)):
-                    self.wrong.append((place, key, value, changed))
+@pytest.mark.parametrize("path", [*CASES, *EXAMPLES], ids=lambda path: path.stem)
+def test_nothing_is_said_of_templates_that_are_right(path: Path) -> None:
+    text = path.read_text(encoding="utf-8")
+    assert proven(_template_of(text) if path in CASES else text) == []
 
 
-def _holds(value: Value, got: float | str | None) -> bool:
-    return got in value.texts if isinstance(got, str) else got is not None and value.has(got)
+SECTIONS = "".join(
+    f"@{name}\n#EVAL(#V{at}=0)\n#REPEAT(4)<\n#EVAL(#V{at}=#V{at}+1)\nX#V{at}\n>\n@\n" for at, name in enumerate("abcd")
+)
+LINE = "@LINE\n#CALL(a)\n#CALL(b)\n@\n"
 
 
-def _changed(state: State, cell: Cell) -> bool | None:
-    try:
-        return state.changed(cell, None)  # type: ignore[arg-type]  # the place is only for faults
-    except Halt:
-        return None
-    except AttributeError:
-        return None
+def _gone_through(text: str, monkeypatch: pytest.MonkeyPatch) -> set[str]:
+    """The routines that are gone through."""
+    made: list[Graph] = []
+
+    class Counted(Solution):
+        def __init__(self, graph: Graph, *more: Any) -> None:
+            made.append(graph)
+            super().__init__(graph, *more)
+
+    with monkeypatch.context() as patch:
+        patch.setattr("deburr.values.program.Solution", Counted)
+        found = values_of(analysed(text, "cgt", path=MAIN))
+    assert found is not None
+    return {name for name, routine in found.routines.items() if routine.graph in made}
+
+
+def test_an_edit_costs_the_section_that_it_touches(monkeypatch: pytest.MonkeyPatch) -> None:
+    head = "Of an edit.\n"
+    assert _gone_through(f"{head}{LINE}{SECTIONS}", monkeypatch) == {GENERATOR, "LINE", "a", "b", "c", "d"}
+    assert _gone_through(f"{head}\n{LINE}{SECTIONS}", monkeypatch) == {GENERATOR, "LINE"}
+    edited = SECTIONS.replace("X#V2", "Y#V2")
+    assert _gone_through(f"{head}{LINE}{edited}", monkeypatch) == {GENERATOR, "LINE", "c"}
+
+
+def test_lines_without_words_take_no_part() -> None:
+    flat = "G00 X1.0 Y2.5\n" * 5_000
+    found = values_of(analysed(f"@LINE\n{flat}#EVAL(#V1=5)\n{flat}X#V1\n@\n", "cgt", path=MAIN))
+    assert found is not None and len(found.routines["LINE"].graph.nodes) == 4
+
+
+def test_text_alone_has_no_values() -> None:
+    assert values_of(analysed("@LINE\nG00 <X1.0>\n@\n", "cgt", path=MAIN)) is None

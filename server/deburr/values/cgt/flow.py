@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.arithmetic.cgt import equal
-from deburr.finding import Severity
 from deburr.templates.items import Body, Item
 from deburr.templates.parts import Branch, by_line, first_line, last_line, parts_of
 from deburr.templates.template import target
@@ -17,9 +15,10 @@ from deburr.values.cgt.conditions import Test, Ways, tests
 from deburr.values.cgt.expressions import Expressions
 from deburr.values.cgt.lines import Unread
 from deburr.values.cgt.outcomes import before_computing, computed, merged, outcome, row_checked, shown, tracked
+from deburr.values.cgt.ways import Label, Way, counts, extent, said_of
 from deburr.values.cgt.words import ALL, CALL_LEFT, END, ENDED, LEFT, RETURNED, Shown, State, without
-from deburr.values.domain import ANY, UNITS, Value, above, below, exactly
-from deburr.values.graph import RETURN, Calls, Dead, Env, Flows, Graph, Head, Key, Node, Proof
+from deburr.values.domain import ANY, exactly
+from deburr.values.graph import RETURN, Calls, Dead, Env, Flows, Graph, Head, Key, Node
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
@@ -27,26 +26,7 @@ if TYPE_CHECKING:
     from deburr.templates.symbols import Word
     from deburr.values.cgt.words import Vocabulary
 
-_PASSES = 100_000
-"""Passes that one `#REPEAT` may make (spec/cgt.md §8)."""
-CONSTANT = "condition-constant"
 _LOST = frozenset(("head", "else", "repeat"))
-
-
-class Label:
-    """A node that is known when what stands before it is built."""
-
-    def __init__(self) -> None:
-        self.at = RETURN
-
-
-class _Way(NamedTuple):
-    """A way that a node ought to take now and then, and what is said if it never does."""
-
-    to: Label | int
-    kind: str = ""
-    message: str = ""
-    severity: Severity | None = None
 
 
 class Section(NamedTuple):
@@ -64,7 +44,7 @@ class Builder:
         self._texts = texts
         self._quiet = quiet
         self._nodes: list[Node] = []
-        self._ways: dict[int, tuple[_Way, ...]] = {}
+        self._ways: dict[int, tuple[Way, ...]] = {}
         self._loops: list[tuple[int, int]] = []
         self._callees: set[str] = set()
         self._settings: list[tuple[str, bool]] = []
@@ -248,7 +228,7 @@ class Builder:
         self._add(item.line, run, item.span, (), keys, callee=name, calls=True)
 
     def _call(self, item: Item) -> None:
-        name, _ = target(item)
+        name, span = target(item)
         behind, label = self._next + 1, Label()
         if name not in self._words.sections:
             # There is no such section, or only a table: another rule says so.
@@ -271,7 +251,11 @@ class Builder:
             ways = ((ENDED, behind, after), (CALL_LEFT, label.at, after), (LEFT, RETURN, left))
             return tuple((to, values) for end, to, values in ways if how.has(end))
 
-        self._add(item.line, called, item.span, callee=name, calls=True)
+        self._add(item.line, called, span, callee=name, calls=True)
+        message = (
+            f"`{item.text}` never comes to an end: every way from there leads on into other sections and back here"
+        )
+        self._nodes[-1] = self._nodes[-1]._replace(endless=message)
 
     def _branch(self, branch: Branch) -> None:
         """A bracket or an `#IF`."""
@@ -282,7 +266,7 @@ class Builder:
         self._compute(head, words)
         other, end = Label(), Label()
         if used:
-            self._ways[self._next] = tuple(_said(body, self._next + 1, other))
+            self._ways[self._next] = tuple(said_of(body, self._next + 1, other))
         self._decide(head, body, test, used, other)
         inside = self._next
         self._body(body)
@@ -322,7 +306,7 @@ class Builder:
             return tuple((to, values) for to, values in found if values is not None)
 
         sets = tuple(key for key in used if isinstance(key, Shown))
-        self._add(head.line, decided, _extent(head, body), used, sets)
+        self._add(head.line, decided, extent(head, body), used, sets)
 
     def _repeat(self, body: Body) -> None:
         head = body.head
@@ -336,7 +320,7 @@ class Builder:
         span = expressions.span(part)
 
         def entered(env: Env, calls: Calls) -> Flows:
-            value = _count(get(env), said, span)
+            value = counts(get(env), said, span)
             if key is not None:
                 env = {**env, key: value}
             ways = ((first, {**env, count: value}),) if value.high >= 1 else ()
@@ -344,7 +328,7 @@ class Builder:
 
         if part.kind != "NUMBER":
             message = f"`{said}` can only be 0 here, so that the loop makes no pass"
-            self._ways[self._next] = (_Way(first, "loop-idle", message),)
+            self._ways[self._next] = (Way(first, "loop-idle", message),)
         self._add(head.line, entered, span, tuple(expressions.used))
         self._pass(head.line)
         self._body(body)
@@ -363,56 +347,3 @@ class Builder:
 def _is_local(key: Key) -> bool:
     """Whether a key is a section's own: the count of a loop."""
     return isinstance(key, State) and isinstance(key.of, int)
-
-
-def _extent(head: Item, body: Body) -> Span:
-    """The columns of what decides: the test of an `#IF`, or a bracket as far as it stands on its line."""
-    if body.head is None:
-        same = body.closer is not None and body.closer.line == head.line
-        return Span(head.start, body.closer.end if same and body.closer is not None else head.end)
-    node = body.head.node
-    asked = (node.node("tests") or node.node("string_tests")) if node is not None else None
-    return Span(asked.start, asked.end) if asked is not None else head.span
-
-
-def _said(body: Body, inside: int, other: Label) -> Iterator[_Way]:
-    """What is said of ways that are never taken. A body that only leaves guards against what nobody expects."""
-    if body.head is None:
-        message = "this bracket never prints: on every way here its words have been output since they last changed"
-        yield _Way(inside, "bracket-idle" if any(map(_is_more, body.items())) else "", message)
-        yield _Way(other)
-        return
-    whole = body.head.text
-    said = f"`{whole if body.head.name == 'IFCHG' else whole.partition('(')[2].rpartition(')')[0]}`"
-    guards = bool(body.parts) and all(
-        isinstance(each, Item) and each.kind in ("exit", "comment") for each in body.parts
-    )
-    yield _Way(
-        inside, "" if guards else CONSTANT, f"{said} never holds here, so that what stands under it is never output"
-    )
-    yield _Way(other, CONSTANT, f"{said} always holds here", Severity.INFO)
-
-
-def _is_more(item: Item) -> bool:
-    """Whether a bracket prints or does more with an item than to repeat its words."""
-    if item.kind == "text":
-        return any(sign.isdigit() for sign in item.text)
-    return item.kind in ("eval", "macro", "mark", "lookup", "call", "exit")
-
-
-def _count(value: Value, said: str, span: Span) -> Value:
-    """The numbers of passes that a count can be. It raises a `Proof` where none of its numbers is one."""
-    if value.empty or value.wild:
-        return Value(0.0, float(_PASSES), UNITS)
-    if value.low == value.high:
-        passes = round(value.low)
-        if passes < 0 or not equal(value.low, passes):
-            message = f"`{said}` is {value.low:g} here; a whole number from 0 on is needed"
-            raise Proof("repeat-count", span, message)
-    elif value.high < 0:
-        raise Proof("repeat-count", span, f"`{said}` is always below 0 here; a whole number from 0 on is needed")
-    elif value.step and value.step % UNITS == 0 and not value.whole and value.high < _PASSES:
-        raise Proof("repeat-count", span, f"`{said}` is never a whole number here; one from 0 on is needed")
-    if value.low > _PASSES + 1:
-        raise Proof("limit", span, f"`{said}` asks for {value.low:,.0f} passes or more; {_PASSES:,} are the limit")
-    return above(below(value, _PASSES + 1.0, False), 0.0, False)
