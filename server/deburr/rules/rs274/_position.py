@@ -230,29 +230,38 @@ class _Path:
         return _Way(tuple(self._faults), tuple(self._open), self._reckoned())
 
     def _look_at(self, move: _Open) -> None:
-        if self._watch.needs_start(move.modes) and any(each is not None and each.times for each in move.start):
+        x, y, z = move.start
+        hangs = (x is not None and x.times) or (y is not None and y.times) or (z is not None and z.times)
+        if hangs and self._watch.needs_start(move.modes):
             self._open.append(move)
-        elif why := self._watch.judge(Move(move.modes, _at(move.start, HOME), move.numbers)):
+            return
+        start = _at(move.start, HOME) if hangs else (x and x.plus, y and y.plus, z and z.plus)
+        if why := self._watch.judge(Move(move.modes, start, move.numbers)):
             self._faults.append((move.line, why))
 
     def _reckoned(self) -> _Place:
         """Where the moves have led: each coordinate from the last place that is known, and all ways behind it."""
-        found = dict(zip(LINEAR, self._place))
-        ways: dict[str, list[float]] = {axis: [] for axis in LINEAR}
-        left = set(LINEAR)
+        if not self._moves:
+            return self._place
+        found: dict[str, _From | None] = {}
+        ways: dict[str, list[float]] = {}
         for index, change, simple in reversed(self._moves):
-            for axis in left.intersection(change.axes):
-                way, letter = change.axes[axis]
+            for axis, (way, letter) in change.axes.items():
+                if axis in found:
+                    continue
                 number = None if way is Way.LOST else self._numbers(index, simple).get(letter)
                 if number is not None and way is Way.BY:
-                    ways[axis].append(number)
-                    continue
-                found[axis] = None if number is None else _From(0.0, number)
-                left.remove(axis)
-            if not left:
+                    ways.setdefault(axis, []).append(number)
+                else:
+                    found[axis] = None if number is None else _From(0.0, number)
+            if len(found) == len(LINEAR):
                 break
-        x, y, z = (_further(found[axis], ways[axis]) for axis in LINEAR)
-        self._place, self._moves = (x, y, z), []
+        x, y, z = self._place
+        self._moves = []
+        self._place = found.get("X", x), found.get("Y", y), found.get("Z", z)
+        if ways:
+            x, y, z = (_further(place, ways.get(axis, [])) for axis, place in zip(LINEAR, self._place))
+            self._place = x, y, z
         return self._place
 
     def _numbers(self, index: int, simple: bool) -> dict[str, float]:
