@@ -72,6 +72,20 @@ def test_what_is_given_for_the_run_is_followed(shell):
     assert code == 0 and "X 0 to 12.5" in out
 
 
+def test_the_configured_machine_is_followed(shell):
+    shell.write("inch.ngc", "G90 F10\nG0 X2\nM2\n")
+    shell.write("deburr.toml", '[machine]\nunit = "inch"\n')
+    # No G20 or G21 stands there, so 2 are inches.
+    assert "all moves: X 0 to 50.8" in shell.run("plot", "inch.ngc")[1]
+
+
+def test_the_tool_table_is_followed(shell):
+    shell.write("tool.ngc", "G21 G90 F100\nT1 M6 G43 H1\nG0 Z0\nM2\n")
+    shell.write("tool.tbl", "T1 P1 Z30\n")
+    code, out, _ = shell.run("plot", "tool.ngc", "--tool-table", "tool.tbl")
+    assert code == 0 and "is not known" not in out
+
+
 def test_what_is_read_is_not_written_over(shell):
     shell.write("part.svg", LOOP)
     code, _, err = shell.run("plot", "part.svg", "--dialect", "rs274", "-o", "part.svg")

@@ -114,6 +114,14 @@ def test_arguments_that_mean_nothing_are_refused(wrong: dict[str, Any]) -> None:
         assert plot(inside, "untitled:loop", **wrong)["code"] == -32602
 
 
+def test_the_configured_machine_is_followed(tmp_path: Path) -> None:
+    (tmp_path / "deburr.toml").write_text('[machine]\nunit = "inch"\n')
+    uri = (tmp_path / "inch.ngc").as_uri()
+    with Inside() as inside:
+        inside.open(uri, "G90 F10\nG0 X2\nM2\n", "rs274")
+        assert plot(inside, uri)["header"]["bounds"]["all moves"][1] == [50.8, 0, 0]
+
+
 def test_what_is_no_program_has_no_toolpath() -> None:
     with Inside() as inside:
         assert plot(inside, "untitled:none") is None

@@ -2,6 +2,7 @@
 
 from math import dist
 
+from deburr.motion.measure import measured
 from deburr.plot.extent import Extent, reach
 from deburr.plot.segments import drawn
 from support.plots import path_of, rows
@@ -50,6 +51,17 @@ def test_the_extent_holds_what_arcs_swing_out_to():
     # The start at zero is part of the rapid; the half circle reaches Y 10 between its ends.
     assert found.all == Extent((-10.0, 0.0, -1.0), (10.0, 10.0, 2.0))
     assert found.cuts == Extent((-10.0, 0.0, -1.0), (10.0, 10.0, 2.0))
+
+
+def test_the_extent_is_what_is_measured():
+    """It is worked out in slices, for an editor that waits; the figures of `--stats` come from elsewhere."""
+    path = path_of(
+        "G20 G90 G18 F10\nT1 M6\nG0 X1 Z2\nG2 X3 Z2 I1\nG17 G3 X3 Y4 Z-1 J2\nG43.1 Z1\nG81 X5 Z-2 R1\nX6\nG80\nM2"
+    )
+    bounds, found = measured(path), reach(path)
+    for expected, extent in ((bounds.bounds, found.all), (bounds.cut_bounds, found.cuts)):
+        assert extent is not None
+        assert dict(zip("XYZ", zip(extent.low, extent.high))) == {axis: expected[axis] for axis in "XYZ"}
 
 
 def test_of_nothing_there_is_no_extent():

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.lsp.progress import Progress
 from deburr.motion.follow import following
+from deburr.motion.form import form_of
 from deburr.motion.path import Recorder
 from deburr.plot.columns import Scale, Toolpath, scale
 from deburr.plot.extent import Reach, reaching
@@ -59,7 +60,7 @@ class Plots:
         """One toolpath; None if it was overtaken by an edit."""
         server, name = self._server, made.views[0].file.rpartition("/")[2]
         with Progress(server.protocol, server.client, f"Following {name}", token) as progress:
-            work = _following(name, made)
+            work = _following(name, made, wanted.simulate)
             while server.previews.holds(wanted, made):
                 try:
                     moves = next(work)
@@ -71,12 +72,12 @@ class Plots:
         return None
 
 
-def _following(name: str, made: Made) -> Generator[int, None, Toolpath]:
+def _following(name: str, made: Made, simulate: bool) -> Generator[int, None, Toolpath]:
     """A flat program's path and how far it goes, in slices."""
     expanded = made.expanded
     lines = split_lines(expanded.text)[: len(expanded.source_map)] if expanded.text else []
-    recorder, followed = Recorder(), 0
-    for _ in following(lines, recorder):
+    recorder, followed, first = Recorder(), 0, made.views[0]
+    for _ in following(lines, recorder, form_of(first.ruleset, first.host, simulate)):
         followed += 1
         yield followed
     path, reach = recorder.path(), Reach()
