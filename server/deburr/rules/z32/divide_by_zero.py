@@ -1,6 +1,8 @@
 """Division by zero.
 
-The control stops at a division by 0. Reported are divisors that are 0 whatever the parameters hold.
+The control stops at a division by 0. Reported are divisors that are 0 whatever the parameters hold, and those that
+are 0 on every way on which the program comes to the line; then the settings, conditions and calls are named that lead
+to it.
 
 Source: spec/z32.md §4
 

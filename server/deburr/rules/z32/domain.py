@@ -1,7 +1,8 @@
 """Function of a value that it does not take.
 
-RQ of a negative number, TAN of an odd multiple of 90 degrees, and a result too large for a
-number stop the control.
+RQ of a negative number, TAN of an odd multiple of 90 degrees, and a result too large for a number stop the control.
+Reported where the line alone decides it, and where it follows on every way on which the program comes to the line;
+then the settings, conditions and calls are named that lead to it.
 
 Source: spec/z32.md §4, §11
 

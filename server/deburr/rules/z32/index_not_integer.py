@@ -1,6 +1,8 @@
 """Index of PAL or PAR that is no integer.
 
-A rounded index could hit the wrong parameter, so one with decimals is refused.
+A rounded index could hit the wrong parameter, so one with decimals is refused. Reported where the line alone decides
+it, and where it follows on every way on which the program comes to the line; then the settings, conditions and calls
+are named that lead to it.
 
 Source: spec/z32.md §5
 

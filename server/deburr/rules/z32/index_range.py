@@ -1,6 +1,8 @@
 """Index of PAL or PAR outside 0 to 512.
 
-There are PAL[0] to PAL[512] and PAR[0] to PAR[512]; the control stops at any other index.
+There are PAL[0] to PAL[512] and PAR[0] to PAR[512]; the control stops at any other index. Reported where the line
+alone decides it, and where it follows on every way on which the program comes to the line; then the settings,
+conditions and calls are named that lead to it.
 
 Source: spec/z32.md §5
 

@@ -3,7 +3,8 @@
 A jump back whose condition never fails, or a jump to itself, is run until a limit: 1,000,000 executed lines
 unless `--max-steps` sets another, as many flat lines (`--max-blocks`), and 10,000 jumps with a return
 that never comes. The message names the loop and the values in its condition. `check` runs less and
-says nothing of a program that takes longer.
+says nothing of a program that takes longer, but for a loop whose condition holds in every pass on every way to it, and that
+nothing leaves.
 
 Source: spec/z32.md §6.7, §7
 

@@ -1,7 +1,8 @@
 """Value stored in PAL[256] to PAL[512].
 
-The logic of the machine writes these; a program can only read them, and the control stops where it
-tries to store a value.
+The logic of the machine writes these; a program can only read them, and the control stops where it tries to store a
+value. Reported where the line alone decides it, and where it follows on every way on which the program comes to the
+line; then the settings, conditions and calls are named that lead to it.
 
 Source: spec/z32.md §5
 

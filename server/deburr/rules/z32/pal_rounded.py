@@ -1,6 +1,8 @@
 """Value with decimals stored in PAL.
 
-PAL holds integers: the value is rounded to the nearest, halves away from 0. PAR keeps decimals.
+PAL holds integers: the value is rounded to the nearest, halves away from 0. PAR keeps decimals. Reported where the
+line alone decides it, and where it follows on every way on which the program comes to the line; then the settings,
+conditions and calls are named that lead to it.
 
 Source: spec/z32.md §5
 

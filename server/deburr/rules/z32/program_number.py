@@ -1,6 +1,8 @@
 """Call of a program whose number is no integer.
 
-Programs of the memory are numbered with integers; the control stops at any other number.
+Programs of the memory are numbered with integers; the control stops at any other number. Reported where the line
+alone decides it, and where it follows on every way on which the program comes to the line; then the settings,
+conditions and calls are named that lead to it.
 
 Source: spec/z32.md §6.4
 
