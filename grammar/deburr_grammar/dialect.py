@@ -182,6 +182,8 @@ class Dialect:
     frame: str
     """The smallest clean program; `{}` is where a rule's example goes."""
     evidence: tuple[Evidence, ...] = ()
+    line_number: str = ""
+    """A pattern, in small letters, of what a program writes to read the number of its own line; "": it cannot."""
     settings: tuple[Setting, ...] = ()
     file_ends_region: bool = False
     """Whether the end of the file ends a region as well as its own end does."""

@@ -81,11 +81,17 @@ class Broken(NamedTuple):
         title = f"Delete `{self.text[start:end].strip()}`"
         before, after = self.text[:start], self.text[end:]
         if not before.strip() and not after.strip():
-            return Fix(title, (self.without_line(),), safe)
+            return Fix(title, (self.without_line(),), safe and not self.counts_lines)
         if before[-1:].isspace() or not before:
             end += len(after) - len(after.lstrip()) if not before.strip() else 0
             start = len(before.rstrip()) if before.strip() and (not after or after[0].isspace()) else start
         return Fix(title, (self.edit(start, end, ""),), safe)
+
+    @property
+    def counts_lines(self) -> bool:
+        """Whether the program reads the number of a line, so that none may be taken out of it."""
+        pattern = self.document.dialect.line_number
+        return bool(pattern) and re.search(pattern, self.document.text.lower()) is not None
 
     def without_line(self) -> Edit:
         """The line is taken out, with its ending."""

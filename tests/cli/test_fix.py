@@ -79,3 +79,13 @@ def test_many_files_on_several_cores(shell):
     ran = shell.run("check", "--fix", "-j", "2")
     assert ran.out.splitlines()[-1] == "Found 4 errors in 4 files (4 checked, 8 fixed)"
     assert {path.read_text() for path in shell.folder.iterdir()} == {SAFE}
+
+
+@pytest.mark.parametrize(("reads", "left"), [("#<_metric>", False), ("#<_line>", True), ("# <_ LINE>", True)])
+def test_no_line_goes_where_the_program_reads_their_numbers(shell, reads, left):
+    text = f"(deburr: allow rs274.divide-by-zero)\nG21\n(debug, {reads})\n#1 = [{reads}]\nM2\n"
+    path = shell.write("a.ngc", text)
+    shell.run("check", "--fix")
+    assert (path.read_text() == text) is left
+    shell.run("check", "--fix", "--unsafe-fixes")
+    assert path.read_text() == text.partition("\n")[2]

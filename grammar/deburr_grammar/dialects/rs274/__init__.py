@@ -26,6 +26,8 @@ DIALECT = Dialect(
     words=WORDS,
     comments=(("(", ")"), (";", "")),
     modality=MODALITY,
+    # spec/rs274.md §4.2: `#<_line>`; blanks mean nothing inside.
+    line_number=r"#\s*<\s*_\s*l\s*i\s*n\s*e\s*>",
     frame="G21 G90 G17\n{}\nF100\nM2\n",
     evidence=(
         Evidence(

@@ -29,4 +29,5 @@ def name_left_out(broken: Broken, *, safe: bool = False) -> Iterator[Fix]:
     if around is not None:
         alone = around[0] == broken.text.strip()
         edit = broken.without_line() if alone else broken.edit(*around.span(), "")
-        yield Fix(f"Delete `{around[0]}`", (edit,), safe)
+        # Where a program reads the numbers of its lines, a line less is another program.
+        yield Fix(f"Delete `{around[0]}`", (edit,), safe and not (alone and broken.counts_lines))
