@@ -55,9 +55,9 @@ class Glob:
 
     @cached_property
     def _spec(self) -> Any:
-        from pathspec import GitIgnoreSpec
+        from deburr.patterns import spec
 
-        return GitIgnoreSpec.from_lines([self.pattern.removeprefix("!")])
+        return spec([self.pattern.removeprefix("!")])
 
 
 @dataclass(frozen=True, eq=False)

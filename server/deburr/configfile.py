@@ -130,6 +130,8 @@ def _data(path: str) -> dict[str, Any]:
         raise ConfigError(f"{path}: not UTF-8, as TOML must be") from None
     except tomllib.TOMLDecodeError as error:
         raise ConfigError(_placed(path, str(error))) from None
+    except RecursionError:
+        raise ConfigError(f"{path}: values are nested too deep to be a configuration") from None
     prefix = _prefix(path)
     if prefix:
         data = data.get("tool", {}).get("deburr", {})
@@ -194,7 +196,7 @@ def _has_table(path: str) -> bool:
     try:
         data = paths.data(path)
         tool = tomllib.loads(data.decode()).get("tool") if b"deburr" in data else None
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         return False
     return isinstance(tool, dict) and "deburr" in tool
 

@@ -110,6 +110,10 @@ _MANY = 200
 """Edits of which each would cost more than to put all between them anew."""
 _PROVEN = 500
 """Findings of a program whose fixes are tried: each costs as much as the check of a few lines, several times."""
+_COMPARED = 50_000
+"""Findings that are compared for all fixes of a program: each fix is held against all that its line and the blocks say."""
+_LONG = 100
+"""Characters of a line that cost as much to read anew as a finding to compare."""
 
 
 def fixes_of(analysis: Analysis, finding: Finding) -> list[Fix]:
@@ -128,8 +132,18 @@ def proven(analysis: Analysis, finding: Finding) -> Fix | None:
 
 def with_fixes(analysis: Analysis, findings: Iterable[Finding]) -> Iterator[Finding]:
     """The findings with what would mend them. Where there are very many, the last ones' rules are taken at their word."""
+    findings = list(findings)
+    blocks, on_line = len(analysis.document.faults), Counter(each.place.line for each in findings)
+    compared = 0
     for number, finding in enumerate(findings):
-        fix = proven(analysis, finding) if number < _PROVEN else next(iter(fixes_of(analysis, finding)), None)
+        line = finding.place.line
+        here = finding.place.file == analysis.file and line < analysis.document.line_count
+        compared += blocks + on_line[line] + (len(analysis.document.line(line)) // _LONG if here else 0)
+        fix = (
+            proven(analysis, finding)
+            if number < _PROVEN and compared < _COMPARED
+            else next(iter(fixes_of(analysis, finding)), None)
+        )
         yield finding if fix is None else finding._replace(fix=fix)
 
 

@@ -6,7 +6,8 @@ several alone on lines that follow each other speak for the line behind them.
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cache
+from functools import cache, lru_cache
+from itertools import islice
 from typing import NamedTuple
 
 from deburr.finding import Finding
@@ -26,6 +27,10 @@ _HINTS = ("eburr", "EBURR")
 """One of them stands in every chunk that holds such a comment, however it is spelled."""
 _OTHERS = frozenset(("ignore", "disable", "noqa", "suppress", "silence", "skip", "off", "allow", "allows", "allowed"))
 """What other tools call it."""
+
+
+_MOST = 100
+"""Names in one comment; what follows them is not looked at, so the findings that it means are shown."""
 
 
 class Allow(NamedTuple):
@@ -80,6 +85,7 @@ def is_allowed(document: Document, finding: Finding) -> bool:
     return any(covers(allow.name, finding.rule) for _, allow in _speaking(near, finding.place.line))
 
 
+@lru_cache(16)
 def in_line(text: str, dialect: Dialect) -> tuple[Allow, ...]:
     """The names that a line's comments allow."""
     if _SIGN not in text:
@@ -147,7 +153,7 @@ def _names(match: re.Match[str], alone: bool) -> Iterator[Allow]:
     group = next(name for name, said in match.groupdict().items() if said is not None)
     without_reason = re.split(r"(?:^|\s)--(?:\s|$)", match[group], maxsplit=1)[0]
     at = match.start(group)
-    names = list(re.finditer(r"[^,\s](?:[^,]*[^,\s])?", without_reason))
+    names = list(islice(re.finditer(r"[^,\s](?:[^,]*[^,\s])?", without_reason), _MOST))
     for name in names:
         yield Allow(name[0], Span(at + name.start(), at + name.end()), alone)
     if not names:

@@ -86,11 +86,11 @@ def _ignoring(folder: str) -> tuple[_Ignoring, ...]:
     path = paths.join(folder, ".gitignore")
     if not paths.is_file(path):
         return ()
-    from pathspec import GitIgnoreSpec
+    from deburr.patterns import spec
 
     try:
         lines = paths.data(path).decode("utf-8", "replace").splitlines()
-        return (_Ignoring(folder, GitIgnoreSpec.from_lines(lines)),)
+        return (_Ignoring(folder, spec(lines)),)
     except (OSError, ValueError):
         return ()
 

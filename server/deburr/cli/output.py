@@ -72,7 +72,11 @@ def _write(result: Result, output: Output, statistics: bool, quiet: bool) -> Non
         out = sys.stderr if piped else sys.stdout
         _report(result, output.form, statistics, quiet, out, style_for(out))
         return
-    with open(output.file, "w", encoding="utf-8", newline="\n") as out:  # noqa: PTH123  pathlib is not loaded for this.
+    from io import TextIOWrapper
+
+    from deburr.cli.replacing import replacing
+
+    with replacing(output.file) as raw, TextIOWrapper(raw, encoding="utf-8", newline="\n") as out:
         _report(result, output.form, statistics, quiet, out, Style(False, paths.working_folder()))
 
 

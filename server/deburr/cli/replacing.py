@@ -10,19 +10,19 @@ class replacing:
     """A file that appears under its name when all of it is written, or not at all. Links are followed, modes kept; what is no regular file is written into."""
 
     def __init__(self, path: str) -> None:
-        self._path = Path(path).resolve()
+        self._said, self._path = path, Path(path).resolve()
         self._device = self._path.exists() and not self._path.is_file()
         self._part = self._path.with_name(f".{self._path.name}.{os.getpid()}.part")
 
     def __enter__(self) -> IO[bytes]:
         if self._path.is_dir():
-            raise IsADirectoryError(EISDIR, os.strerror(EISDIR), str(self._path))
+            raise IsADirectoryError(EISDIR, os.strerror(EISDIR), self._said)
         if self._path.exists() and not os.access(self._path, os.W_OK):
-            raise PermissionError(EACCES, os.strerror(EACCES), str(self._path))
+            raise PermissionError(EACCES, os.strerror(EACCES), self._said)
         try:
             self._out = (self._path if self._device else self._part).open("wb")
         except OSError as error:
-            error.filename = str(self._path)
+            error.filename = self._said
             raise
         return self._out
 

@@ -204,7 +204,7 @@ def wanted_of(uri: str) -> Wanted:
     source = f"file://{rest}" if rest.startswith("/") else rest
     try:
         said = json.loads(unquote(query)) if query else {}
-    except ValueError:
+    except (ValueError, RecursionError):
         said = None
     if not isinstance(said, dict):
         raise JsonRpcInvalidParams(f"`{query}` is no JSON object with arguments")

@@ -89,8 +89,13 @@ class Tcp:
         import socket
 
         with socket.create_server((host, port)) as listener:
-            said = f"deburr: listening on {host}:{listener.getsockname()[1]}\n"
-            sys.stderr.write(said)
+            address, number = listener.getsockname()[:2]
+            sys.stderr.write(f"deburr: listening on {host}:{number}\n")
+            if not _is_loopback(address):
+                sys.stderr.write(
+                    f"deburr: warning: {host} can be reached from other machines, and whoever connects first can read"
+                    f" what you can read; 127.0.0.1:{number} is for this machine only\n"
+                )
             sys.stderr.flush()
             self._socket, _ = listener.accept()
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -120,3 +125,10 @@ def _binary(descriptor: int) -> None:
         import msvcrt
 
         msvcrt.setmode(descriptor, os.O_BINARY)
+
+
+def _is_loopback(address: str) -> bool:
+    """Whether only this machine can reach an address."""
+    from ipaddress import ip_address
+
+    return ip_address(address).is_loopback

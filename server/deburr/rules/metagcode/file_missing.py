@@ -66,6 +66,8 @@ def _hint(library: Library, name: str) -> str:
     if not slash and not near:
         return ", which is empty or not there; set `snippets-dir` to the folder that is meant"
     alike = [each for each in near if each.casefold() == last.casefold()]
+    if last in near:
+        return ", as far as it can be read: there is something of that name, and it is no file that has an end"
     if len(alike) > 1:
         return f"; {' and '.join(f'`{each}`' for each in alike)} differ from it in case, and neither is preferred"
     longer = [each for each in near if each.casefold().startswith(f"{last.casefold()}.")]

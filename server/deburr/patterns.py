@@ -1,0 +1,33 @@
+"""Patterns of paths as in `.gitignore`. A name that was made to be tried in vain costs no more than any other. Loaded only where there are patterns."""
+
+from collections.abc import Iterable
+from typing import Literal
+
+from pathspec import GitIgnoreSpec
+from pathspec.patterns.gitignore.spec import GitIgnoreSpecPattern
+
+_STAR = "[^/]*"
+
+
+class Pattern(GitIgnoreSpecPattern):
+    """The library's pattern, whose stars do not try all ways to share a name among them."""
+
+    @staticmethod
+    def _translate_segment_glob(pattern: str, range_error: Literal["literal", "raise"]) -> str:
+        return linear(GitIgnoreSpecPattern._translate_segment_glob(pattern, range_error))
+
+
+def spec(lines: Iterable[str]) -> GitIgnoreSpec:
+    """What lines of patterns say of paths; ValueError if one cannot be read."""
+    return GitIgnoreSpec.from_lines(lines, Pattern)
+
+
+def linear(segment: str) -> str:
+    """The expression for one segment of a path, matching the same names: where a star ends is settled by the first place at which what follows fits.
+
+    All between two stars has one length, so that a later place leaves less for the rest and never more; only the last star may go on.
+    """
+    first, *others = segment.split(_STAR)
+    if not others:
+        return segment
+    return first + "".join(f"(?>[^/]*?{each})" for each in others[:-1] if each) + _STAR + others[-1]
