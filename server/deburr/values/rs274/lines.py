@@ -20,6 +20,8 @@ UNSEEN = " "
 _PARTS = frozenset(("param", "setting", "o_line", "PERCENT"))
 _CALCULATED = frozenset(("group", "function"))
 _BY_NUMBER = re.compile(r"[Mm][ \t]*0*[ \t]*9[ \t]*[89](?![0-9])|[Gg][ \t]*0*[ \t]*7[ \t]*[0-2](?![0-9])")
+_MAY_LEAVE = re.compile(rf"{_BY_NUMBER.pattern}|[GgMm][ \t]*[\[#+-]")
+"""Also codes of which only the run knows which they are."""
 _CONTOURS = frozenset(("G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2"))
 _KEY = "rs274 values"
 _MOST = 20_000
@@ -121,6 +123,8 @@ def _line(at: int, node: LineNode, bracket: Bracket | None, foreign: re.Pattern[
     if bracket is not None or "o_line" in node.kinds:
         is_start = bracket is None and not node.problems and "CALL" not in node.kinds
         return Taken(at, node, bracket, is_start=is_start)
+    if not node.shape.needs_depth and _MAY_LEAVE.search(node.shape.text) is None:
+        return Taken(at, node, bracket)
     found = {code for code, _ in codes(node)}
     return Taken(at, node, bracket, not found.isdisjoint(("M2", "M30")), "M99" in found, _entered(node, found))
 
