@@ -12,7 +12,7 @@ from deburr.expand.rs274.state import State
 from deburr.expand.rs274.unit import Op, Unit
 from deburr.needs import Needs
 from deburr.ruleset import RuleSet
-from deburr.values import proving, values_of
+from deburr.values import passes_at, proving, values_of
 from deburr.values.domain import exactly
 from deburr.values.graph import Calls, Env, Graph, Key
 from deburr.values.solve import Solution
@@ -310,3 +310,26 @@ def test_a_wrong_range_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     finally:
         monkeypatch.undo()
         expressions.lifted_operation.cache_clear()
+
+
+PASSES: dict[str, tuple[str, int, int | None]] = {
+    "a loop that counts up": ("#3=0\no1 while [#3 LT 100]\n#3=[#3+10]\no1 endwhile\n", 2, 10),
+    "down, by a step that a parameter holds": ("#3=7 #4=2\no1 while [#3 GT 0]\n#3=[#3-#4]\no1 endwhile\n", 2, 4),
+    "one that makes no pass": ("#3=5\no1 while [#3 LT 0]\n#3=[#3+1]\no1 endwhile\n", 2, 0),
+    "one whose condition stands at its end": ("#3=0\no1 do\n#3=[#3+1]\no1 while [#3 LT 3]\n", 4, 3),
+    "one in another one": ("o2 repeat [2]\n#3=0\no1 while [#3 LT 3]\n#3=[#3+1]\no1 endwhile\no2 endrepeat\n", 3, 3),
+    "one that may be left": ("#3=0\no1 while [#3 LT 9]\n#3=[#3+1]\no2 if [#5420 GT 1]\no1 break\no2 endif\no1 endwhile\n", 2, None),
+    "one that counts on one way only": ("#3=0\no1 while [#3 LT 9]\no2 if [#5420 GT 1]\n#3=[#3+1]\no2 endif\no1 endwhile\n", 2, None),
+    "one that counts in a loop of its own": ("#3=0\no1 while [#3 LT 9]\no2 repeat [2]\n#3=[#3+1]\no2 endrepeat\no1 endwhile\n", 2, None),
+    "one that counts by what the machine knows": ("#3=0\no1 while [#3 LT 9]\n#3=[#3+#5420]\no1 endwhile\n", 2, None),
+    "one that skips the rest of a pass": ("#3=0\no1 while [#3 LT 9]\no2 if [#5420 GT 1]\no1 continue\no2 endif\n#3=[#3+1]\no1 endwhile\n", 2, None),
+    "one whose counter a call may set": ("#31=0\no1 while [#31 LT 9]\no<elsewhere> call\n#31=[#31+1]\no1 endwhile\n", 2, None),
+}  # fmt: skip
+"""A program, the line of a loop's condition from 1, and how often it goes round, if that is certain."""
+
+
+@pytest.mark.parametrize("name", PASSES)
+def test_how_often_a_loop_goes_round(name: str) -> None:
+    program, line, times = PASSES[name]
+    found = passes_at(analysed(f"{FRAME}{program}M2\n", "rs274"), line)
+    assert (None if found is None else found[1]) == times

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.ide.known import held, known
+from deburr.ide.known import held, known, passes
 from deburr.symbols import Act, language_of
 from deburr.symbols.constants import constants_of
 from deburr.symbols.index import Placed, on_line, region
@@ -44,7 +44,9 @@ def _of_line(view: View, line: int, kinds: Collection[str]) -> Iterator[Hint]:
         return
     settings = view.ruleset.settings
     lengths = list(constants.lengths(view.document, line, partial(held, view), settings)) if "passes" in kinds else []
+    turns = passes(view, line) if "passes" in kinds and not lengths and _tests(view, line) else None
     yield from (Hint(line, each.span.end, each.text, "passes") for each in lengths)
+    yield from [] if turns is None else [Hint(line, turns[0].end, turns[1], "passes")]
     for mention in on_line(view.document, line):
         end = mention.span.end
         meant = language.meant(view.document, line, mention) if "alias" in kinds else None
@@ -59,6 +61,13 @@ def _of_line(view: View, line: int, kinds: Collection[str]) -> Iterator[Hint]:
     for span, result in constants.results(view.document.node(line), settings) if "values" in kinds else ():
         if not _within(span, lengths):
             yield Hint(line, span.end, f"={result}", "values")
+
+
+def _tests(view: View, line: int) -> bool:
+    """Whether a loop's condition may stand on a line."""
+    piece = view.document.piece(line)
+    brackets = (bracket for index, bracket in piece.outlined.brackets if piece.line + index == line)
+    return any(bracket.kind in ("while", "do") for bracket in brackets)
 
 
 def _within(span: Span, lengths: Iterable[Length]) -> bool:

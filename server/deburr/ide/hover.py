@@ -7,14 +7,12 @@ from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from deburr.analysis import Analysis
 from deburr.ide.definition import file_of
-from deburr.ide.known import held, known
+from deburr.ide.known import held, known, proven
 from deburr.ide.related import uses
 from deburr.symbols import Act, Sort, entry_of, language_of
 from deburr.symbols.constants import constants_of
 from deburr.symbols.index import Placed, at
-from deburr.values import said_at
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
@@ -138,19 +136,9 @@ def _value(view: View, placed: Placed, entry: Entry | None, found: Found) -> str
         return f"value: **{constant}**"
     if value := known(view, placed):
         return f"value here: **{value.said}** ({value.why})"
-    if text := _proven(view, placed):
-        return f"value here: **{text}** (on every way to this line)"
+    if told := proven(view, placed):
+        return f"value here: **{told.text}** {told.why or '(on every way to this line)'}"
     return f"value here: not known, {_reason(view, placed, entry, Act.SET in found)}"
-
-
-def _proven(view: View, placed: Placed) -> str:
-    """What it can hold, whatever the inputs are."""
-    language = language_of(view.dialect.name)
-    if language is None or placed.mention.symbol.sort is not Sort.VARIABLE:
-        return ""
-    analysis = Analysis(view.document, view.ruleset, view.file, view.host)
-    written = language.written(placed.mention.symbol)
-    return said_at(analysis, placed.line, written, placed.mention.act is Act.SET)
 
 
 def _reason(view: View, placed: Placed, entry: Entry | None, is_set: bool) -> str:

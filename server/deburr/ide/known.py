@@ -14,15 +14,16 @@ from typing import TYPE_CHECKING
 
 from deburr.analysis import Analysis
 from deburr.symbols import Act, Sort, Symbol, entry_of, language_of
-from deburr.symbols.constants import Constants, Value, constants_of
+from deburr.symbols.constants import Constants, Value, constants_of, count
 from deburr.symbols.index import Placed, Region, all_symbols, mentions_of, on_line, region
-from deburr.values import value_at
+from deburr.values import Told, passes_at, told_at, value_at
 from deburr.values.words import said
 from deburr_grammar.dialect import Bracket, Role
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
     from deburr_grammar.document import Document
+    from deburr_grammar.text import Span
 
 _DEEPEST = 250
 _FARTHEST = 20_000
@@ -54,8 +55,30 @@ def held(view: View, line: int, written: str) -> Value | None:
         symbol = each.symbol
         if language is not None and symbol.sort is Sort.VARIABLE and written in (symbol.name, language.written(symbol)):
             where = region(view.document, line) if symbol.local else None
-            return _before(view, Placed(line, each._replace(act=Act.READ), where))
+            placed = Placed(line, each._replace(act=Act.READ), where)
+            found = _before(view, placed)
+            told = proven(view, placed) if found is None else None
+            return Value(told.number, told.why) if told is not None and told.number is not None else found
     return None
+
+
+def proven(view: View, placed: Placed) -> Told | None:
+    """What a name can hold at a place, whatever the inputs are; None if nothing is proven of it."""
+    language = language_of(view.dialect.name)
+    if language is None or placed.mention.symbol.sort is not Sort.VARIABLE:
+        return None
+    written = language.written(placed.mention.symbol)
+    return told_at(_analysis(view), placed.line, written, placed.mention.act is Act.SET)
+
+
+def passes(view: View, line: int) -> tuple[Span, str] | None:
+    """How often the loop goes round whose condition stands on a line, in words, and the columns that say so; None if it is not proven."""
+    found = passes_at(_analysis(view), line)
+    return None if found is None else (found[0], count(found[1]))
+
+
+def _analysis(view: View) -> Analysis:
+    return Analysis(view.document, view.ruleset, view.file, view.host)
 
 
 def _before(view: View, placed: Placed) -> Value | None:

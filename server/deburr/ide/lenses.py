@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.ide.known import held
+from deburr.ide.known import held, passes
 from deburr.ide.related import uses
 from deburr.ide.view import Spot
 from deburr.symbols import Act, Sort, Symbol
@@ -66,9 +66,10 @@ def _loops(view: View) -> list[Lens]:
     for line, bracket in view.document.brackets() if constants is not None else ():
         if bracket.role is Role.OPEN and bracket.kind in _LOOPS and constants is not None and len(found) < _MOST:
             lengths = constants.lengths(view.document, line, partial(held, view), view.ruleset.settings)
-            text = " · ".join(each.text for each in lengths)
+            turns = passes(view, line) if bracket.kind == "while" else None
+            text = " · ".join([each.text for each in lengths] + ([] if turns is None else [turns[1]]))
             found += [Lens(line, bracket.span, "passes", text)] if text else []
     return found
 
 
-_LOOPS = frozenset(("loop", "repeat"))
+_LOOPS = frozenset(("loop", "repeat", "while"))

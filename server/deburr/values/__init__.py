@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from importlib import import_module
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakKeyDictionary
 
 if TYPE_CHECKING:
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from deburr.values.domain import Value
     from deburr.values.program import Program
     from deburr_grammar.document import Document
+    from deburr_grammar.text import Span
 
 _MEMO = "values"
 _SMALL = 2_000
@@ -63,19 +64,49 @@ def solving(analysis: Analysis) -> Iterator[None]:
 
 def value_at(analysis: Analysis, line: int, written: str, behind: bool) -> Value | None:
     """What a variable holds before a line, or ``behind`` it; None if nothing is proven of it. ``written``: as one writes the variable."""
-    document, module = analysis.document, language(analysis.dialect.name)
-    if module is None or (document not in _of_documents and document.line_count > _SMALL):
+    program = _at_hand(analysis)
+    if program is None:
         return None
-    program = _of_documents[document] if document in _of_documents else values_of(analysis)
-    return program.value(line, module.read(written), behind) if program is not None else None
+    return program.value(analysis.file, line, language(analysis.dialect.name).read(written), behind)
 
 
-def said_at(analysis: Analysis, line: int, written: str, behind: bool) -> str:
-    """The same in words; empty if nothing is proven."""
-    from deburr.values.words import said
+class Told(NamedTuple):
+    """What is proven of a variable at a place, in words: what it holds, and where that comes from; ``number``: the one that it is."""
 
-    value = value_at(analysis, line, written, behind)
-    return "" if value is None or (value.empty and not value.texts) else said(value)
+    text: str
+    why: str
+    number: str | None
+
+
+def told_at(analysis: Analysis, line: int, written: str, behind: bool) -> Told | None:
+    """What a variable holds before a line, or ``behind`` it; None if nothing is proven of it. ``written``: as one writes the variable."""
+    program = _at_hand(analysis)
+    if program is None:
+        return None
+    from deburr.values.tell import told
+
+    module = language(analysis.dialect.name)
+    return told(program, analysis, line, module.read(written), behind, module.written)
+
+
+def passes_at(analysis: Analysis, line: int) -> tuple[Span, int] | None:
+    """How often the loop goes round whose condition stands on a line, and the columns of its command; None if that is not proven."""
+    program = _at_hand(analysis)
+    if program is None:
+        return None
+    from deburr.values.tell import turns
+
+    return turns(program, analysis.file, line)
+
+
+def _at_hand(analysis: Analysis) -> Program | None:
+    """What is proven, if a check has found it already or a person can wait for it."""
+    document = analysis.document
+    if language(analysis.dialect.name) is None:
+        return None
+    if document not in _of_documents and document.line_count > _SMALL:
+        return None
+    return _of_documents[document] if document in _of_documents else values_of(analysis)
 
 
 def _program(analysis: Analysis) -> Program | None:

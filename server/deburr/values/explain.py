@@ -63,6 +63,23 @@ class Explanation:
         for number, inner in behind:
             yield from self._led(routine, solution, number, sorted(inner, key=str), depth - 1)
 
+    def setting(self, routine: Routine, solution: Solution, node: int, key: Hashable) -> list[int]:
+        """The lines one of which has set a variable last before a node; none where it may come from elsewhere."""
+        first = min(routine.graph.nodes)
+        found, seen, waiting = set[int](), {node}, [node]
+        while waiting:
+            at = waiting.pop()
+            for source in solution.sources(at):
+                place = routine.graph.nodes[source]
+                if key in place.sets:
+                    found.add(routine.rows[place.line])
+                elif place.calls or None in place.sets:
+                    return []
+                elif source not in seen:
+                    seen.add(source)
+                    waiting.append(source)
+        return [] if first in seen or len(seen) > _STEPS else sorted(found)
+
     def _sources(self, routine: Routine, solution: Solution, start: int, key: Hashable) -> Iterator[tuple[Node, str]]:
         """The nearest settings of a variable, and the conditions on it that are passed on the way."""
         seen, waiting = {start}, [start]

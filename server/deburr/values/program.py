@@ -175,12 +175,18 @@ class Program:
             self._entries[name] = env
             self._queue(name)
 
-    def value(self, row: int, key: Key, behind: bool) -> Value | None:
-        """What a variable holds before a line of the program, or behind it; None: nobody knows, or nothing comes there."""
-        envs: list[Env] = []
+    def places(self, file: str, row: int) -> Iterator[tuple[Routine, Solution, list[int]]]:
+        """The routines that have a line, with their values and with the nodes of that line."""
         for name, solved in self.solved.items():
-            routine, solution = self.routines[name], solved.solution
-            nodes = [] if routine.files is not None else _at(routine, row)
+            routine = self.routines[name]
+            nodes = _at(routine, file, row)
+            if nodes:
+                yield routine, solved.solution, nodes
+
+    def value(self, file: str, row: int, key: Key, behind: bool) -> Value | None:
+        """What a variable holds before a line of a program, or behind it; None: nobody knows, or nothing comes there."""
+        envs: list[Env] = []
+        for _, solution, nodes in self.places(file, row):
             if behind:
                 nodes = [to for node in nodes for to in solution.targets(node) if list(solution.sources(to)) == [node]]
             envs += [solution.before[node] for node in nodes if node in solution.before]
@@ -233,12 +239,14 @@ _OUTDATED = Summary({}, frozenset(), None)
 """What nothing is ever known to be."""
 
 
-def _at(routine: Routine, row: int) -> list[int]:
-    """The nodes of a line."""
-    at = bisect_left(routine.rows, row)
-    if at == len(routine.rows) or routine.rows[at] != row:
-        return []
-    return [number for number, node in routine.graph.nodes.items() if node.line == at]
+def _at(routine: Routine, file: str, row: int) -> list[int]:
+    """The nodes of a line: of all places at which its file is put in."""
+    if routine.files is None:
+        at = bisect_left(routine.rows, row)
+        lines = {at} if at < len(routine.rows) and routine.rows[at] == row else set()
+    else:
+        lines = {at for at, each in enumerate(routine.files) if each == file and routine.rows[at] == row}
+    return [number for number, node in routine.graph.nodes.items() if node.line in lines] if lines else []
 
 
 class _Ledger:

@@ -67,6 +67,11 @@ class Solution:
         """From where a node may be reached."""
         return [source for source in self._came[node] if source != _ENTRY]
 
+    def entering(self, head: int) -> Env | None:
+        """What comes to the head of a loop from outside of it; None: nothing does."""
+        last = self.graph.heads[head].last
+        return joined_all(env for source, env in self._came[head].items() if not head <= source <= last)
+
     def _follow(self, first: list[int], now: Callable[[int], Env | None]) -> Iterator[None]:
         waiting, queued = list(first), set(first)
         heapify(waiting)
@@ -107,7 +112,7 @@ class Solution:
         came, head = self._came[node], self.graph.heads.get(node)
         if head is None:
             return joined_all(came.values())
-        outside = joined_all(env for source, env in came.items() if not node <= source <= head.last)
+        outside = self.entering(node)
         inside = joined_all(env for source, env in came.items() if node <= source <= head.last)
         if outside is None or inside is None:
             return outside
