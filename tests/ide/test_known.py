@@ -44,10 +44,10 @@ from support.views import at_cursor
         ("z32", "(P)\n!HA=2!\nX<H<|>A>\n", "2"),
         ("z32", "(P)\nHA 2,5\nX<H<|>A>\n", "2.5"),
         ("z32", "(P)\n!IF HA=5; GON10!\nX<H<|>A>\nN10\n", None),
-        ("z32", "(P)\n!HA=2!\n!GON10-N20!\nX<H<|>A>\nM30\nN10 HA3\nN20\n", None),
+        ("z32", "(P)\n!HA=2!\n!GON10-N20!\nX<H<|>A>\nM30\nN10 HA3\nN20\n", "3"),
         ("z32", "(P)\n!HA=2!\n!GOP5!\nX<H<|>A>\n", None),
         ("z32", "(P)\n!HX=2!\n!PC!\nX<H<|>X>\n", None),
-        ("z32", "(P)\n!X=2!\nX7\nY<<|>X>\n", None),
+        ("z32", "(P)\n!X=2!\nX7\nY<<|>X>\n", "7"),
         ("metagcode", "X|<|>a|\n", None),
     ],
 )  # fmt: skip
