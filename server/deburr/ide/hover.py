@@ -11,7 +11,7 @@ from deburr.ide.definition import file_of
 from deburr.ide.known import held, known, proven
 from deburr.ide.related import uses
 from deburr.symbols import Act, Sort, entry_of, language_of
-from deburr.symbols.constants import constants_of
+from deburr.symbols.constants import constants_of, count
 from deburr.symbols.index import Placed, at
 
 if TYPE_CHECKING:
@@ -137,7 +137,9 @@ def _value(view: View, placed: Placed, entry: Entry | None, found: Found) -> str
     if value := known(view, placed):
         return f"value here: **{value.said}** ({value.why})"
     if told := proven(view, placed):
-        return f"value here: **{told.text}** {told.why or '(on every way to this line)'}"
+        passes = [] if told.passes is None else [f"({count(told.passes)})"]
+        why = ", ".join(passes + [told.why] * bool(told.why))
+        return f"value here: **{told.text}** {why or '(on every way to this line)'}"
     return f"value here: not known, {_reason(view, placed, entry, Act.SET in found)}"
 
 

@@ -71,11 +71,15 @@ def value_at(analysis: Analysis, line: int, written: str, behind: bool) -> Value
 
 
 class Told(NamedTuple):
-    """What is proven of a variable at a place, in words: what it holds, and where that comes from; ``number``: the one that it is."""
+    """What is proven of a variable at a place, in words: what it holds, and where that comes from.
+
+    ``number``: the one that it is; ``passes``: of the loop around it that it counts.
+    """
 
     text: str
     why: str
     number: str | None
+    passes: int | None
 
 
 def told_at(analysis: Analysis, line: int, written: str, behind: bool) -> Told | None:

@@ -28,8 +28,10 @@ def told(
     value = program.value(analysis.file, line, key, behind)
     if value is None or (value.empty and not value.texts) or not (text := said(value)):
         return None
-    why = [] if behind else _why(program, analysis, line, key, written)
-    return Told(text, ", ".join(why), text if value.exact else None)
+    turned, rows = (None, []) if behind else _origin(program, analysis, line, key, written)
+    shown = " and ".join(str(row + 1) for row in rows)
+    why = f"set at line{'s' if len(rows) > 1 else ''} {shown}" if 0 < len(rows) <= _SHOWN else ""
+    return Told(text, why, text if value.exact else None, turned)
 
 
 def turns(program: Program, file: str, line: int) -> tuple[Span, int] | None:
@@ -42,22 +44,17 @@ def turns(program: Program, file: str, line: int) -> tuple[Span, int] | None:
     return None
 
 
-def _why(
+def _origin(
     program: Program, analysis: Analysis, line: int, key: Hashable, written: Callable[[Hashable], str]
-) -> list[str]:
-    from deburr.symbols.constants import count
-
-    found: list[str] = []
+) -> tuple[int | None, list[int]]:
+    """The passes of the loop around a line that a variable counts, and the lines of the program that set it last."""
     for routine, solution, nodes in program.places(analysis.file, line):
         around = _counting(routine, solution, nodes, key)
-        found += [f"({count(around.times)})"] if around is not None else []
-        reached = [node for node in nodes if node in solution.before]
         explained = Explanation(program, analysis, written)
-        rows = sorted({row for node in reached for row in explained.setting(routine, solution, node, key)})
-        if routine.files is None and 0 < len(rows) <= _SHOWN:
-            found.append(f"set at line{'s' if len(rows) > 1 else ''} {' and '.join(str(row + 1) for row in rows)}")
-        break
-    return found
+        reached = [node for node in nodes if node in solution.before] if routine.files is None else []
+        rows = {row for node in reached for row in explained.setting(routine, solution, node, key)}
+        return around.times if around is not None else None, sorted(rows)
+    return None, []
 
 
 def _counting(routine: Routine, solution: Solution, nodes: list[int], key: Hashable) -> Passes | None:
