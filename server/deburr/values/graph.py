@@ -96,7 +96,6 @@ class Node(NamedTuple):
     ``flow`` gives what comes next, and raises a `Proof` where nothing can. ``condition``: the columns of what decides here.
     ``doubtful``: whether something in it may fail on some way, after ``flow`` was asked. ``callee``: the routine that it calls, if that is known; ``calls``: whether it calls any.
     ``remark``: what is certain and does not stop the control, after ``flow`` was asked. ``part``: which of several nodes of its line it is.
-    ``endless``: what is said where what it calls only calls on and on, and never comes back.
     """
 
     line: int
@@ -110,7 +109,6 @@ class Node(NamedTuple):
     remark: Callable[[], Proof | None] = lambda: None
     dead: tuple[Dead, ...] = ()
     part: int = 0
-    endless: str = ""
 
 
 class Head(NamedTuple):

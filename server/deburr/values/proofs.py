@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from deburr.finding import Finding
 from deburr.rule import Proven, Report
 from deburr.values.explain import Explanation
-from deburr.values.graph import STOP, Dead, Loop, Proof
+from deburr.values.graph import Dead, Loop, Proof
 from deburr.values.places import Places
 
 if TYPE_CHECKING:
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from deburr.values.solve import Solution
 
 Written = Callable[[Hashable], str]
-ENDLESS = "limit"
-"""The rule of calls that go on and on."""
 UNREACHED = "sub-unreachable"
 """The rule of a routine that is called only where the program never comes."""
 
@@ -33,10 +31,6 @@ def findings(program: Program, analysis: Analysis, written: Written) -> Iterator
             continue
         for node, proof in _proofs(routine, solved.solution, analysis, places):
             yield from _found(explained, routine, node, proof, analysis)
-    for routine, node in _endless_calls(program):
-        place = routine.graph.nodes[node]
-        if place.condition is not None:
-            yield from _found(explained, routine, node, Proof(ENDLESS, place.condition, place.endless), analysis)
     yield from _idle(program, analysis, written)
 
 
@@ -65,45 +59,6 @@ def _proofs(routine: Routine, solution: Solution, analysis: Analysis, places: Pl
             said = analysis.document.line(row)[loop.span.start : loop.span.end]
             message = f"`{said}` never ends: its condition holds in every pass, and nothing in it leaves it"
             yield loop.test, Proof(loop.kind, loop.span, message)
-
-
-def _endless_calls(program: Program) -> Iterator[tuple[Routine, int]]:
-    """The first of the calls in each round of calls that nothing leads out of, and in which nothing goes wrong."""
-    rounds: set[frozenset[str]] = set()
-    for name, solved in program.solved.items():
-        for node in sorted(solved.solution.before):
-            place = program.routines[name].graph.nodes[node]
-            if not place.endless or place.callee is None or solved.solution.targets(node):
-                continue
-            around = _called_from(program, place.callee)
-            if (
-                len(around) > 1
-                and name in around
-                and around not in rounds
-                and all(_never_ends(program, each) for each in around)
-            ):
-                rounds.add(around)
-                yield program.routines[name], node
-
-
-def _called_from(program: Program, name: str) -> frozenset[str]:
-    """A routine and all that are called from it where it is reached."""
-    found, waiting = {name}, [name]
-    while waiting:
-        solved = program.solved.get(waiting.pop())
-        called = set(solved.called) - found if solved is not None else set()
-        found |= called
-        waiting += called
-    return frozenset(found)
-
-
-def _never_ends(program: Program, name: str) -> bool:
-    solved = program.solved.get(name)
-    if solved is None or solved.solution.proofs:
-        return False
-    return solved.solution.returned is None and not any(
-        STOP in solved.solution.targets(node) for node in solved.solution.before
-    )
 
 
 def _idle(program: Program, analysis: Analysis, written: Written) -> Iterator[Finding | None]:

@@ -252,10 +252,6 @@ class Builder:
             return tuple((to, values) for end, to, values in ways if how.has(end))
 
         self._add(item.line, called, span, callee=name, calls=True)
-        message = (
-            f"`{item.text}` never comes to an end: every way from there leads on into other sections and back here"
-        )
-        self._nodes[-1] = self._nodes[-1]._replace(endless=message)
 
     def _branch(self, branch: Branch) -> None:
         """A bracket or an `#IF`."""
