@@ -216,7 +216,9 @@ class _Watch:
         def compiling(compiler: Compiler, unit: Unit, row: int) -> Op:
             op = compiled(compiler, unit, row)
             found, general = self._of(unit.file)
-            if row not in found.taking or (unit.file == MAIN and row in self._subs):
+            # What only stops the run for a moment is no line, and is gone when it goes on.
+            is_paused = op.__name__ == "_paused"
+            if is_paused or row not in found.taking or (unit.file == MAIN and row in self._subs):
                 return op
 
             def executed() -> int:
