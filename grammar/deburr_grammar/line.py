@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, NamedTuple
+from weakref import WeakValueDictionary
 
 from deburr_grammar.problem import Problem
 from deburr_grammar.tree import Node, moved, walk
@@ -35,7 +36,7 @@ class Facts:
 class Shape:
     """A line's text with what does not matter to its syntax folded away. Equal shapes are one object within a dialect."""
 
-    __slots__ = ("_facts", "dialect", "marked", "memo", "needs_depth", "text")
+    __slots__ = ("__weakref__", "_facts", "dialect", "marked", "memo", "needs_depth", "text")
 
     def __init__(self, dialect: Dialect, text: str) -> None:
         self.dialect = dialect
@@ -112,18 +113,24 @@ def _interned(kinds: frozenset[str]) -> frozenset[str]:
 
 
 class Shapes(dict[str, Shape]):
-    """The shapes of a dialect that are in use. Dropped as a whole when they grow too many: whoever holds a shape keeps it."""
+    """The shapes of a dialect that are in use, and some that were read last; of the others, those stay that somebody holds."""
 
-    LIMIT = 200_000
+    LIMIT = 8_192
+    """So many are held by the table itself."""
 
     def __init__(self, dialect: Dialect) -> None:
         super().__init__()
         self._dialect = dialect
+        self._older: WeakValueDictionary[str, Shape] = WeakValueDictionary()
 
     def __missing__(self, text: str) -> Shape:
         if len(self) >= self.LIMIT:
+            self._older.update(self)
             self.clear()
-        shape = self[text] = Shape(self._dialect, text)
+        shape = self._older.get(text)
+        if shape is None:
+            shape = Shape(self._dialect, text)
+        self[text] = shape
         return shape
 
     def read(self, text: str) -> list[Shape]:

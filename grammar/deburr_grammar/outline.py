@@ -149,7 +149,7 @@ class Outliner:
         return Outlined(tuple(runs), tuple(found), balance(bracket for _, bracket in found), state, reduction(found))
 
 
-@lru_cache(maxsize=16_384)
+@lru_cache(maxsize=8_192)
 def _step(dialect: Dialect, facts: frozenset[str], state: Hashable, depth: int, shape: Shape, text: str) -> Step:
     return dialect.outline.step(state, depth, facts, lambda reading: LineNode(text, reading, shape))
 

@@ -29,7 +29,6 @@ from deburr_grammar.dialect import Dialect, Reading
 from deburr_grammar.document import Piece
 from deburr_grammar.line import LineNode, Shape
 
-_PLANS = 20_000
 _LINES = 20_000
 """How many are kept; whoever has more forgets all."""
 
@@ -88,7 +87,8 @@ class RuleSet:
         self.rules = tuple(rule for rule in self._all if selected(rule))
         self._severities = dict(severities or {})
         self._said: dict[tuple[str, str], tuple[tuple[Rule, Report], ...]] = {}
-        self._plans: dict[tuple[Shape, str], tuple[Rule, ...]] = {}
+        self._plans = object()
+        """Under this shapes keep what is planned for them, and so do not keep the rule set itself."""
 
     def severity(self, rule: Rule, said: Severity | None = None) -> Severity:
         """The severity of a rule's findings, or of one of which the rule ``said`` another."""
@@ -109,11 +109,11 @@ class RuleSet:
 
     def plan(self, shape: Shape, reading: Reading) -> tuple[Rule, ...]:
         """The rules that may have something to say of lines of a shape: decided once a shape."""
-        plan = self._plans.get((shape, reading.name))
+        key = self._plans, reading.name
+        plan = shape.memo.get(key)
         if plan is None:
-            if len(self._plans) >= _PLANS:
-                self._plans.clear()
-            plan = self._plans[shape, reading.name] = self._planned(shape, reading)
+            plan = shape.memo[key] = self._planned(shape, reading)
+        assert isinstance(plan, tuple)
         return plan
 
     def _planned(self, shape: Shape, reading: Reading) -> tuple[Rule, ...]:

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from deburr_grammar.document import Document, Piece
     from deburr_grammar.line import Shape
 
-_SHAPES = 4_096
-"""Shapes kept for one of them: someone who types makes new ones with every key."""
+_STEPS = 16_384
+"""Steps of shapes kept under all states together: someone who types makes new ones with every key."""
 _STATES = 10_000
 
 
@@ -48,8 +48,6 @@ class _Steps(dict["Shape", "_Step | None"]):
         self._make = make
 
     def __missing__(self, shape: Shape) -> _Step | None:
-        if len(self) >= _SHAPES:
-            self.clear()
         step = self[shape] = self._make(self, shape)
         return step
 
@@ -61,6 +59,7 @@ class Stateful:
         self._ruleset = ruleset
         self._modal = modal
         self._steps: dict[tuple[State, str], _Steps] = {}
+        self._count = 0
 
     def findings(self, document: Document) -> Iterator[tuple[Piece, Said]]:
         """What the rules say of a program; kept with each chunk under the state before it."""
@@ -124,10 +123,16 @@ class Stateful:
         if steps is None:
             if len(self._steps) >= _STATES:
                 self._steps.clear()
+                self._count = 0
             steps = self._steps[key] = _Steps(state, reading, self._step)
         return steps
 
     def _step(self, steps: _Steps, shape: Shape) -> _Step | None:
+        if self._count >= _STEPS:
+            self._count = 0
+            for known in self._steps.values():
+                known.clear()
+        self._count += 1
         state, reading = steps.state, steps.reading
         plan = self._planned(state, reading, shape)
         if shape.marked:

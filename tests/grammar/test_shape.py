@@ -1,5 +1,8 @@
 """Folding by hand-worked values, on a dialect of its own that is made for this page."""
 
+import gc
+from weakref import ref
+
 import pytest
 
 from deburr_grammar.codes import code_number
@@ -60,15 +63,25 @@ def test_columns_behind_ends_have_grown() -> None:
     assert [columns(col) for col in range(7)] == [0, 1, 5, 6, 7, 9, 10]
 
 
-def test_equal_shapes_are_one_object_and_a_full_table_is_dropped(monkeypatch: pytest.MonkeyPatch) -> None:
-    dialect = by_name(NAMES[0])
-    shapes = Shapes(dialect)
+def test_equal_shapes_are_one_object_however_full_the_table_gets(monkeypatch: pytest.MonkeyPatch) -> None:
+    shapes = Shapes(by_name(NAMES[0]))
     one, two = shapes.read("X1\nX22")
     assert one is two
     monkeypatch.setattr(Shapes, "LIMIT", 2)
-    many = shapes.read("A\nB\nC\nX3")
+    many = shapes.read("A\nB\nC\nX3\nA")
     assert len(shapes) <= 2
-    assert many[3].text == one.text
+    assert many[3] is one
+    assert many[4] is many[0]
+
+
+def test_shapes_go_that_only_the_table_held(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Shapes, "LIMIT", 4)
+    shapes = Shapes(by_name(NAMES[0]))
+    held = shapes.read("A")[0]
+    seen = [ref(shapes.read("B" * count)[0]) for count in range(1, 100)]
+    gc.collect()
+    assert len(shapes) + 1 >= sum(shape() is not None for shape in seen)
+    assert shapes.read("A")[0] is held
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -72,7 +72,7 @@ def says_the_same(old: str, shape: Shape, new: str, reading: Reading, plan: Plan
     return _texts(_cased(old, plan, shape.dialect), shape, reading) == _texts(new, other, reading)
 
 
-@lru_cache(maxsize=16_384)
+@lru_cache(maxsize=4_096)
 def _same_kinds(shape: Shape, other: Shape, reading: Reading) -> bool:
     """Whether the lines of two shapes are read alike, and without a fault."""
     if other.facts(reading).problems:
@@ -80,7 +80,7 @@ def _same_kinds(shape: Shape, other: Shape, reading: Reading) -> bool:
     return [part.kind for part in walk(shape.tree(reading))] == [part.kind for part in walk(other.tree(reading))]
 
 
-@lru_cache(maxsize=8_192)
+@lru_cache(maxsize=4_096)
 def _tokens(shape: Shape, reading: Reading) -> tuple[Token, ...]:
     return tuple(tokens(shape.tree(reading)))
 

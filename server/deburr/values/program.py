@@ -6,13 +6,14 @@ Knows no language: a dialect gives the routines, their flow, and what each start
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections import Counter, OrderedDict
-from collections.abc import Generator, Hashable, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from functools import cached_property, reduce
 from typing import NamedTuple
 
 from deburr.values.domain import Value, joined
 from deburr.values.graph import Env, Graph, Key, Summary, join, unset, widen
+from deburr.values.kept import Kept
 from deburr.values.solve import Solution
 
 _PATIENCE = 3
@@ -21,7 +22,6 @@ _BACK = 3
 """Rounds in which what routines are called with gets less. The values of each round are true, so that any number will do."""
 _DEEPEST = 20
 """Through so many routines in each other one goes at once."""
-_KEPT = 1_000
 _VERSIONS = 4
 
 
@@ -96,6 +96,7 @@ class Program:
 
     def solving(self) -> Iterator[None]:
         """Find the values, in work that can be left at each step."""
+        _kept.fit(_VERSIONS * sum(len(routine.graph.nodes) for routine in self.routines.values()))
         for routine in self.routines.values():
             if routine.entry is not None:
                 self._enter(routine.name, routine.entry)
@@ -284,7 +285,7 @@ class _Ledger:
         return found
 
 
-_kept: OrderedDict[Hashable, list[Solved]] = OrderedDict()
+_kept: Kept[list[Solved]] = Kept()
 """Values by what a routine says and starts with; of each as many as there were answers to its calls."""
 
 
@@ -292,8 +293,7 @@ def _solved(routine: Routine, entry: Env, program: Program) -> Generator[None, N
     """The values of a routine: those that are kept, if it was told the same of its calls before."""
     forgotten = program.forgotten(routine.graph)
     key = (routine.graph, frozenset(entry.items()), forgotten)
-    versions = _kept.setdefault(key, [])
-    _kept.move_to_end(key)
+    versions = _kept.get(key) or []
     for solved in versions:
         if program.tells(solved):
             return solved
@@ -302,6 +302,5 @@ def _solved(routine: Routine, entry: Env, program: Program) -> Generator[None, N
     yield from found.solution.steps()
     versions.insert(0, found)
     del versions[_VERSIONS:]
-    while len(_kept) > _KEPT:
-        _kept.popitem(last=False)
+    _kept.add(key, versions, len(versions) * len(routine.graph.nodes))
     return found

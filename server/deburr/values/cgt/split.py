@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from collections.abc import Hashable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, TypeVar
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from deburr.templates.beside import beside, events_in, is_events, machine_in
 from deburr.templates.items import Body, rows_of
@@ -14,6 +13,7 @@ from deburr.values.cgt.flow import Builder, Section
 from deburr.values.cgt.generator import NAME, Path, generator, path_of
 from deburr.values.cgt.lines import Part, Unread, sections
 from deburr.values.cgt.words import Vocabulary
+from deburr.values.kept import LINES, Kept
 from deburr.values.program import Routine
 from deburr_grammar.text import Span
 
@@ -22,11 +22,8 @@ if TYPE_CHECKING:
     from deburr.formats.machine import Machine
     from deburr.values.graph import Env
 
-K = TypeVar("K")
-T = TypeVar("T")
-_KEPT = 1_000
 _VOCABULARIES = 8
-_kept: OrderedDict[Vocabulary, OrderedDict[Hashable, Section]] = OrderedDict()
+_kept: Kept[Kept[Section]] = Kept(_VOCABULARIES)
 """The graphs of sections, by what words mean."""
 
 
@@ -40,7 +37,8 @@ def routines_of(analysis: Analysis) -> Mapping[str, Routine] | None:
         run = {name: part for name, part in parts.items() if part.reading != "table"}
         machine = machine_in(beside(analysis.settings, analysis.host, "machine"))
         words = _vocabulary(parts, run, machine, analysis.inputs.define)
-        graphs = _keep(_kept, words, OrderedDict(), _VOCABULARIES)
+        graphs = _graphs(words)
+        graphs.fit(sum(len(part.lines) for part in run.values()))
         built = {name: _section(part, words, graphs) for name, part in run.items()}
     except Unread:
         return None
@@ -52,6 +50,12 @@ def routines_of(analysis: Analysis) -> Mapping[str, Routine] | None:
     entry = _start(words, _targets(run.values(), words) - path.sets)
     graph = generator(tuple(run), frozenset(entry), path)
     return {NAME: Routine(NAME, (-1,), graph, entry), **found}
+
+
+def _graphs(words: Vocabulary) -> Kept[Section]:
+    """Where the graphs of sections are kept in which words mean this."""
+    found = _kept.get(words)
+    return _kept.add(words, Kept(LINES // _VOCABULARIES), 1) if found is None else found
 
 
 def _first(parts: Sequence[Part]) -> dict[str, Part]:
@@ -115,7 +119,7 @@ def _path(analysis: Analysis) -> Path:
     return path_of(events_in(file).events) if file.text is not None and is_events(file) else Path()
 
 
-def _section(part: Part, words: Vocabulary, kept: OrderedDict[Hashable, Section]) -> Section:
+def _section(part: Part, words: Vocabulary, kept: Kept[Section]) -> Section:
     """A section's flow, kept by its lines."""
     lines = tuple((line.row - part.row, line.node.text) for line in part.lines)
     quiet = part.name in words.quiet
@@ -127,13 +131,5 @@ def _section(part: Part, words: Vocabulary, kept: OrderedDict[Hashable, Section]
         for line in part.lines:
             bodies.add(items_of(line.row - part.row, line.node, words.symbols))
         found = Builder(words, dict(lines), quiet).section(body, Span(0, 1 + len(part.name)))
-    return _keep(kept, key, found, _KEPT)
-
-
-def _keep(kept: OrderedDict[K, T], key: K, value: T, most: int) -> T:
-    """What is kept under a key; if there is nothing yet, the value."""
-    found = kept.setdefault(key, value)
-    kept.move_to_end(key)
-    while len(kept) > most:
-        kept.popitem(last=False)
+        kept.add(key, found, len(lines))
     return found

@@ -6,8 +6,7 @@ known from its head.
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.values.domain import (
@@ -19,6 +18,7 @@ from deburr.values.domain import (
     without_zero,
 )
 from deburr.values.graph import STOP, Calls, Dead, Env, Flows, Graph, Node, Proof
+from deburr.values.kept import Kept
 from deburr.values.metagcode.conditions import (
     COMPARED,
     Item,
@@ -40,11 +40,10 @@ if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
 _NAME = "text"
-_KEPT = 200
 _ROUNDED = 0.5
 """What a printed value is away from the exact one at most, whatever number of decimals is asked for."""
 _SLACK = 1 + 1e-9
-_graphs: OrderedDict[Hashable, Graph] = OrderedDict()
+_graphs: Kept[Graph] = Kept()
 
 
 def routine_of(analysis: Analysis) -> Routine | None:
@@ -59,9 +58,7 @@ def routine_of(analysis: Analysis) -> Routine | None:
     key = (analysis.file, tuple((line.file, line.node.text) for line in lines))
     graph = _graphs.get(key)
     if graph is None:
-        graph = _graphs[key] = _graph(lines, partners, analysis.file)
-        while len(_graphs) > _KEPT:
-            _graphs.popitem(last=False)
+        graph = _graphs.add(key, _graph(lines, partners, analysis.file), len(lines))
     return Routine(_NAME, [line.row for line in lines], graph, {}, [line.file for line in lines])
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections import Counter, OrderedDict
-from collections.abc import Hashable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from posixpath import basename, splitext
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.values.graph import RETURN, STOP, Env, Graph, unset
+from deburr.values.kept import Kept
 from deburr.values.program import Routine
 from deburr.values.rs274.files import File, Files
 from deburr.values.rs274.flow import Builder
@@ -24,8 +25,7 @@ _BY_NUMBER = " by number"
 """What is behind the label in the name of a program that M98 calls."""
 _MOST = 500
 """So many subprograms of files; of a program that calls more nothing is said."""
-_KEPT = 1_000
-_graphs: OrderedDict[Hashable, Graph] = OrderedDict()
+_graphs: Kept[Graph] = Kept()
 
 
 class _Part(NamedTuple):
@@ -46,6 +46,7 @@ def routines_of(analysis: Analysis) -> Mapping[str, Routine] | None:
         return None
     files = Files(analysis)
     numbered = _numbered(parts, files)
+    _graphs.fit(len(lines or ()))
     try:
         graphs = {name: _graph(analysis, name, part.lines, numbered) for name, part in parts.items()}
         called = frozenset().union(*(graph.callees for graph in graphs.values())) - parts.keys()
@@ -117,10 +118,7 @@ def _graph(analysis: Analysis, name: str, lines: Sequence[Taken], numbered: froz
     key = (end, settings["compare"], settings["profile"], delete, entered, tuple(line.node.text for line in lines))
     found = _graphs.get(key)
     if found is None:
-        found = _graphs[key] = Builder(lines, end, settings, delete, entered).graph()
-        while len(_graphs) > _KEPT:
-            _graphs.popitem(last=False)
-    _graphs.move_to_end(key)
+        found = _graphs.add(key, Builder(lines, end, settings, delete, entered).graph(), len(lines))
     return found
 
 

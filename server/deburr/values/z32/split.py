@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from posixpath import basename, dirname, normpath
 from typing import TYPE_CHECKING
 
 from deburr.arithmetic.z32 import constant
 from deburr.values.graph import Env, Graph, unset
+from deburr.values.kept import Kept
 from deburr.values.program import Routine
 from deburr.values.z32.expressions import World
 from deburr.values.z32.files import File, Files, Target, rows_with
@@ -22,8 +22,7 @@ if TYPE_CHECKING:
 MAIN = "main program"
 """The name of the main program. No file's program has it."""
 _ACTIVE = frozenset(("word", "g_word", "axis_alias", "stray", "advanced", "mixed"))
-_KEPT = 1_000
-_graphs: OrderedDict[Hashable, Graph] = OrderedDict()
+_graphs: Kept[Graph] = Kept()
 
 
 def routines_of(analysis: Analysis) -> Mapping[str, Routine] | None:
@@ -52,6 +51,7 @@ class _Split:
         main = self._files.main
         lines, alone = self._of_file(main), _is_main(self._analysis, main.marks)
         part = _main_part(lines, main.marks)
+        _graphs.fit(len(lines))
         self._only_called = len(part) < len(lines)
         known = {MAIN: self._routine(MAIN, main, part, {})}
         if not alone:
@@ -82,10 +82,7 @@ class _Split:
             builder = Builder(
                 lines, self._world, delete, lambda line, call: self._called(file, line, call), only_called
             )
-            found = _graphs[key] = builder.graph()
-            while len(_graphs) > _KEPT:
-                _graphs.popitem(last=False)
-        _graphs.move_to_end(key)
+            found = _graphs.add(key, builder.graph(), len(lines))
         return found
 
     def _called(self, file: File, line: Taken, call: Part) -> str:
