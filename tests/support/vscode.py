@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import shutil
 import signal
 import socket
 import subprocess
@@ -78,11 +79,11 @@ def code_server(
     base += ["--user-data-dir", str(home / "user"), "--extensions-dir", str(home / "extensions")]
     env = {name: value for name, value in os.environ.items() if not name.startswith("VSCODE_")}
     # The gallery is off: nothing is looked up outside of this machine.
-    env |= {"PATH": f"{NODE}:{path or env['PATH']}", "EXTENSIONS_GALLERY": json.dumps({"serviceUrl": ""})}
+    env |= {"PATH": path or f"{NODE}:{env['PATH']}", "EXTENSIONS_GALLERY": json.dumps({"serviceUrl": ""})}
     if path:
         # Otherwise the PATH of a login shell would be taken; this one says nothing.
         env["SHELL"] = "/bin/true"
-    subprocess.run([*base, "--install-extension", str(vsix), "--force"], env=env, check=True, capture_output=True)
+    _install(vsix, home / "extensions", base, env)
     port = _free_port()
     flags = ["--bind-addr", f"127.0.0.1:{port}", "--auth", "none", "--disable-telemetry", "--disable-update-check"]
     flags += ["--disable-proxy", "--disable-getting-started-override", "--ignore-last-opened"]
@@ -94,6 +95,21 @@ def code_server(
         yield f"http://127.0.0.1:{port}"
     finally:
         _stop_group(server)
+
+
+_installed: dict[Path, Path] = {}
+"""Where a package was installed first."""
+
+
+def _install(vsix: Path, place: Path, base: Sequence[str], env: Mapping[str, str]) -> None:
+    """As a user does; later ones get what that left, which takes a tenth of the time."""
+    first = _installed.setdefault(vsix, place)
+    if first == place or not first.exists():
+        subprocess.run([*base, "--install-extension", str(vsix), "--force"], env=env, check=True, capture_output=True)
+        return
+    shutil.copytree(first, place)
+    listed = place / "extensions.json"
+    listed.write_text(listed.read_text().replace(str(first), str(place)))
 
 
 @contextlib.contextmanager

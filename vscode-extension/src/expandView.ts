@@ -48,7 +48,9 @@ export class ExpandView implements vscode.TextDocumentContentProvider, vscode.Ho
       vscode.workspace.onDidChangeTextDocument(({ document }) => this.edited(document)),
       // Not `onDidCloseTextDocument`: a document is also closed and opened when its language is set.
       vscode.window.tabGroups.onDidChangeTabs(({ closed }) => closed.forEach((tab) => this.closed(tab))),
-      vscode.window.onDidChangeTextEditorSelection((event) => this.moved(event)),
+      vscode.window.onDidChangeTextEditorSelection(({ textEditor }) => this.follow(textEditor)),
+      // An editor that is opened at a line says nothing of a selection.
+      vscode.window.onDidChangeActiveTextEditor((editor) => editor && this.follow(editor)),
       vscode.window.onDidChangeTextEditorVisibleRanges((event) => this.scrolled(event)),
       server.changed((condition) => condition === 'running' && this.refresh()),
     ];
@@ -137,10 +139,12 @@ export class ExpandView implements vscode.TextDocumentContentProvider, vscode.Ho
   }
 
   /** Keep the other side in step with the cursor. */
-  private moved({ textEditor, selections }: vscode.TextEditorSelectionChangeEvent): void {
-    const line = selections[0]?.active.line;
-    if (line === undefined || textEditor !== vscode.window.activeTextEditor) return;
+  private follow(textEditor: vscode.TextEditor): void {
+    if (textEditor !== vscode.window.activeTextEditor) return;
     const { uri } = textEditor.document;
+    const { line } = textEditor.selection.active;
+    // The side of the cursor belongs to nothing.
+    textEditor.setDecorations(this.made, []);
     if (uri.scheme === SCHEME) this.markSource(uri, line);
     else for (const preview of vscode.window.visibleTextEditors) this.markFlat(preview, uri, line);
   }

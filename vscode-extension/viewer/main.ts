@@ -73,8 +73,8 @@ async function onPage(root: HTMLElement): Promise<void> {
 
 function inEditor(root: HTMLElement, editor: Editor): void {
   const stage = element('main', {});
-  const state = element('p', { id: 'state' });
-  root.append(state, stage);
+  const state = element('p', { id: 'state', textContent: 'The toolpath is being made.' });
+  root.append(stage);
   let header: Header | undefined;
   let cursor: { uri: string; line: number } | undefined;
   let chosen: { uri: string | undefined; line: number } | undefined;
@@ -85,6 +85,7 @@ function inEditor(root: HTMLElement, editor: Editor): void {
     },
     line: () => '',
   });
+  stage.append(state);
   window.deburr = viewer;
   const follow = (): void => {
     // The cursor goes to the line of the move that was chosen here: that one goes on to shine alone.
@@ -104,6 +105,8 @@ function inEditor(root: HTMLElement, editor: Editor): void {
         header = data.header;
         chunks = [];
       } else chunks.push(data.chunk);
+      // Only the first one is waited for with nothing to look at.
+      if (header && !viewer.path) state.textContent = `The toolpath is being fetched: ${chunks.length} of ${header.chunks} parts.`;
       if (!header || chunks.length < header.chunks) return;
       await viewer.show(header, chunks);
       chunks = [];
