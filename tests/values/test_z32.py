@@ -250,7 +250,7 @@ def test_what_a_parameter_holds(name: str) -> None:
     program, line, key, text = MEANT[name]
     found = values_of(_analysed(program))
     assert found is not None
-    value = found.value(line, key, False)
+    value = found.value(MAIN, line, key, False)
     assert ("" if value is None else said(value)) == text, value
 
 

@@ -16,7 +16,7 @@ from deburr.values.graph import Env, Graph, Key, Summary, join, unset, widen
 from deburr.values.kept import Kept
 from deburr.values.solve import Solution
 
-_PATIENCE = 3
+_PATIENCE = 2
 """So often what a routine is called with, or leaves, may grow as it likes."""
 _BACK = 3
 """Rounds in which what routines are called with gets less. The values of each round are true, so that any number will do."""
@@ -257,7 +257,7 @@ class _Ledger:
         self._program = program
         self.called: dict[str, Env] = {}
         self.told: dict[str, Summary | None] = {}
-        self._last: dict[str, Env] = {}
+        self._asked: set[str] = set()
 
     def again(self) -> None:
         """Forget what calls were guessed to pass while the values of loops grew."""
@@ -274,9 +274,9 @@ class _Ledger:
             env = {} if self._program.is_general else env
             known = self.called.get(label)
             self.called[label] = env if known is None or known == env else join(known, env)
-            if self._last.get(label) != env:
-                # What was handed on the last time is known there.
-                self._last[label] = env
+            if label not in self._asked:
+                # What further calls pass is handed on when all are known: it is gone through once for all of them.
+                self._asked.add(label)
                 self._program.ahead(label, env)
             found = self._program.summary(label)
         if found != self.told.setdefault(label, found):

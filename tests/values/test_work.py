@@ -1,0 +1,69 @@
+"""How often routines are gone through until a program's values are known: as seldom as what they call and are called with allows."""
+
+from __future__ import annotations
+
+from collections import Counter, OrderedDict
+from collections.abc import Hashable
+from typing import Any
+
+import pytest
+
+from deburr.values import values_of
+from deburr.values.graph import Graph
+from deburr.values.program import Solved
+from deburr.values.solve import Solution
+from support.values import analysed
+
+MANY = 39
+"""Sections, each of which is called three times, every time with another value."""
+MAINS = {
+    "z32": "(P)\n" + "".join(f"HA{at}\n!GOP{at % MANY + 1}!\n" for at in range(3 * MANY)) + "M30\n",
+    "rs274": "".join(f"#31={at}\no<s{at % MANY + 1}> call\n" for at in range(3 * MANY)) + "M2\n",
+}
+"""The main programs: a line that sets what the sections read, and a call."""
+PARTS = {
+    "z32": ":{at}\nHB0\nN10 X<HB+HA>\n!HB=HB+1; IF HB<9; GON10!\nHC<HA>\nG26\n",
+    "rs274": "o<s{at}> sub\n#32=0\no1 while [#32 LT 9]\n#32=[#32+1]\no1 endwhile\n#33=#31\no<s{at}> endsub\n",
+}
+EDITS = {"z32": ("X<HB+HA>", "X<HB+HA*2>"), "rs274": ("LT 9]", "LT 8]")}
+"""What is edited in one section. What it leaves is the same in Z32; in RS274 the next one is called with something else."""
+TOUCHED = {"z32": ["main.ngc:21"], "rs274": ["s21", "s22"]}
+ROUNDS = 2
+"""A section is gone through where it is first called, and once more with all that is passed."""
+
+
+def _text(dialect: str, edited: int | None = None) -> str:
+    parts = [PARTS[dialect].format(at=at) for at in range(1, MANY + 1)]
+    if edited is not None:
+        parts[edited] = parts[edited].replace(*EDITS[dialect])
+    main = MAINS[dialect]
+    return "".join((main, *parts)) if dialect == "z32" else "".join((*parts, main))
+
+
+def _work(dialect: str, text: str, monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
+    """How often each routine is gone through."""
+    made: list[Graph] = []
+
+    class Counted(Solution):
+        def __init__(self, graph: Graph, *more: Any) -> None:
+            made.append(graph)
+            super().__init__(graph, *more)
+
+    with monkeypatch.context() as patch:
+        patch.setattr("deburr.values.program.Solution", Counted)
+        found = values_of(analysed(text, dialect))
+    assert found is not None
+    names = {id(routine.graph): name for name, routine in found.routines.items()}
+    return Counter(names[id(graph)] for graph in made)
+
+
+@pytest.mark.parametrize("dialect", MAINS)
+def test_a_routine_is_gone_through_once_for_all_further_calls(dialect: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("deburr.values.program._kept", OrderedDict[Hashable, list[Solved]]())
+    first = _work(dialect, _text(dialect), monkeypatch)
+    assert len(first) == MANY + 1
+    # What the last section leaves comes round to the first ones, whose answers may send one more round to it.
+    assert first["main program"] <= ROUNDS and sum(first.values()) <= ROUNDS * (MANY + 1) + 1, first
+    edit = _work(dialect, _text(dialect, 20), monkeypatch)
+    assert sorted(edit) == sorted(("main program", *TOUCHED[dialect]))
+    assert max(edit.values()) <= ROUNDS, edit
