@@ -79,6 +79,14 @@ def test_what_is_passed_over_is_noted(shell):
     ]
 
 
+def test_cutter_compensation_is_noted(shell):
+    shell.write("a.ngc", "G21 G90 G17 F100\nG42.1 D2\nG1 X20 Y0\nY50\nG40\nM2\n")
+    notes = json.loads(shell.run("expand", "--stats", "json", "a.ngc").out)["notes"]
+    assert [(note["line"], note["message"].partition(":")[0]) for note in notes] == [
+        (2, "cutter compensation is not applied")
+    ]
+
+
 @pytest.mark.parametrize("options", [("--stats",), ("--stats", "xml"), ("--stats", "json", "--diff", "a.ngc")])
 def test_what_is_refused(shell, options):
     shell.write("a.ngc", RIGHT)

@@ -82,7 +82,8 @@ def messages(text: str, machine: Mapping[str, object], **settings: object) -> li
     [
         pytest.param("G28\nG0 X400", [2], id="said again behind G28"),
         pytest.param("G28 X400\nG91 G0 X1000\nG90 G1 F1 Y1", [1], id="steps from where only the machine knows"),
-        pytest.param("G53 G0 Z500\nG0 Y1\nG0 Z5", [], id="a place in a machine of which no offset is known"),
+        pytest.param("G53 G0 Z500\nG0 Y1\nG0 Z5", [1], id="a place of the machine's own, whatever its offsets are"),
+        pytest.param("G28\nG53 G0 Y1\nG53 G0 Z-10", [], id="only the axes that G53 names are in a known place"),
         pytest.param("G91 G0 X-5\nG0 X500", [], id="steps from the start"),
         pytest.param("G92 X1000\nG0 X1100\nG0 X5000", [], id="G92 where the machine stands"),
         pytest.param("G0 X0 Y0\nG92 X1000\nG0 X1100\nG0 X1500", [4], id="G92"),

@@ -1,7 +1,6 @@
 """CGT: what runs of random templates see lies in what is proven of each command (spec/cgt.md §5)."""
 
 import json
-from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from random import Random
@@ -22,6 +21,7 @@ from deburr.values import operations, values_of
 from deburr.values.cgt import lifted, split
 from deburr.values.cgt.words import Shown
 from deburr.values.domain import Value
+from deburr.values.kept import Kept
 from deburr.values.program import Program as Values
 from deburr_grammar.document import Document
 from support.cgt import DIALECT
@@ -41,7 +41,7 @@ def test_runs_see_what_is_proven(first: int) -> None:
 
 def test_a_wrong_range_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     """The proof that runs are looked at: with a subtraction whose ranges are those of a sum, some differ."""
-    monkeypatch.setattr(split, "_kept", OrderedDict())
+    monkeypatch.setattr(split, "_kept", Kept())
     monkeypatch.setitem(lifted.OPERATORS, "-", operations.lifted(operation("-"), operations.plus))
     with pytest.raises(AssertionError, match="seed"):
         for seed in range(50_000, 50_100):
@@ -52,7 +52,7 @@ def test_a_way_that_is_wrongly_taken_for_dead_would_be_seen(monkeypatch: pytest.
     """With marks of output that mean their opposite, brackets print that never should."""
     from deburr.values.cgt import brackets
 
-    monkeypatch.setattr(split, "_kept", OrderedDict())
+    monkeypatch.setattr(split, "_kept", Kept())
     monkeypatch.setattr(brackets, "YES", brackets.NO)
     with pytest.raises(AssertionError, match="seed"):
         for seed in range(50_000, 50_100):

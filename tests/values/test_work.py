@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections import Counter, OrderedDict
-from collections.abc import Hashable
+from collections import Counter
 from typing import Any
 
 import pytest
 
 from deburr.values import values_of
 from deburr.values.graph import Graph
+from deburr.values.kept import Kept
 from deburr.values.program import Solved
 from deburr.values.solve import Solution
 from support.values import analysed
@@ -59,7 +59,7 @@ def _work(dialect: str, text: str, monkeypatch: pytest.MonkeyPatch) -> Counter[s
 
 @pytest.mark.parametrize("dialect", MAINS)
 def test_a_routine_is_gone_through_once_for_all_further_calls(dialect: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("deburr.values.program._kept", OrderedDict[Hashable, list[Solved]]())
+    monkeypatch.setattr("deburr.values.program._kept", Kept[list[Solved]]())
     first = _work(dialect, _text(dialect), monkeypatch)
     assert len(first) == MANY + 1
     # What the last section leaves comes round to the first ones, whose answers may send one more round to it.

@@ -24,7 +24,7 @@ def parser() -> argparse.ArgumentParser:
     """The command's options."""
     found = argparse.ArgumentParser(
         prog="deburr merge",
-        description="Make one report of the reports of several checks. What they have in common is said once; the exit code is that of one check.",
+        description="Make one report of the reports of several checks. What they have in common is said once; the exit code is that of one check with these findings. A part that could not be checked has ended with 2, which its report does not hold.",
         epilog="example: deburr check --shard 1/2 --output-format json=1.json; deburr check --shard 2/2 --output-format json=2.json; deburr merge 1.json 2.json",
         formatter_class=Help,
         allow_abbrev=False,

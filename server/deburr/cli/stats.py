@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from deburr.machine import of_machine
 from deburr.motion.measure import RAPID, Bounds, Measure, measured
+from deburr.motion.path import Happening, Note
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
 
 FORMS = ("text", "json")
 _DECIMALS = 6
+_OFF = 40
+"""G40."""
 
 
 def say(flat: Flat, form: str) -> None:
@@ -45,7 +48,7 @@ def data(count: int, path: Path, found: Measure, rapid: dict[str, float]) -> dic
         "untimed": found.untimed,
         "rapid_rates": rapid or {"*": RAPID},
         "tools": [_rounded({"number": use.number, "moves": use.moves, "cut": use.cut, "time": use.seconds}) for use in found.tools],
-        "notes": [{"line": note.flat + 1, "message": note.text} for note in path.notes],
+        "notes": [{"line": note.flat + 1, "message": note.text} for note in _notes(path)],
     }  # fmt: skip
 
 
@@ -68,8 +71,18 @@ def lines(count: int, path: Path, found: Measure, rapid: dict[str, float]) -> It
     for use in found.tools:
         name = f"tool {use.number}" if use.number else "no tool"
         yield f"{name}  {use.moves:,} moves, {_number(use.cut)} mm cut, {_clock(use.seconds)}"
-    for note in path.notes:
+    for note in _notes(path):
         yield f"note    line {note.flat + 1}: {note.text}"
+
+
+def _notes(path: Path) -> list[Note]:
+    """What the figures do not show."""
+    compensated = (event.flat for event in path.events if event.what is Happening.COMPENSATION and event.value != _OFF)
+    first = [
+        Note(flat, "cutter compensation is not applied: these are the places that were programmed")
+        for flat in compensated
+    ][:1]
+    return sorted([*path.notes, *first], key=lambda note: note.flat)
 
 
 def _bounds(bounds: Bounds) -> dict[str, list[float]]:

@@ -81,11 +81,13 @@ class Motions:
             else:
                 mover.named(given)
             place = [given.get(axis, 0.0) for axis in range(9)]
-            target = mover.in_machine(place, tuple(given))
-        else:
-            self._say(given)
-            target = self._target(given)
-            mover.polar(target, words, modes.unit, modes.g["distance"] == 900)
+            mover.flags |= Flag.MACHINE
+            self._run(motion, mover.in_machine(place, tuple(given)), words, flat)
+            mover.flags &= ~Flag.MACHINE
+            return
+        self._say(given)
+        target = self._target(given)
+        mover.polar(target, words, modes.unit, modes.g["distance"] == 900)
         self._run(motion, target, words, flat)
 
     def _run(self, motion: int, target: Coordinates, words: Mapping[str, float], flat: int) -> None:

@@ -25,6 +25,9 @@ _SIDEWAYS = int(Flag.SIDEWAYS)
 ALL = (1 << len(AXES)) - 1
 _SIGNS = {30: 1.0, 40: -1.0}
 
+_OFF, _OFF_PART = 0.1, 0.01
+"""Millimetres, and parts of the radius, by which an arc's end may be beside its circle before it is noted: controls differ."""
+
 
 class Mover:
     """Where the tip of the tool is, and how it goes on. Lengths are in mm; ``flat`` is the line that moves."""
@@ -122,6 +125,11 @@ class Mover:
             centre = centre_by_radius(start, end, words["R"], clockwise)
         else:
             centre = (start[0] + words.get("IJK"[first], 0.0), start[1] + words.get("IJK"[second], 0.0))
+        radius, beside = math.dist(start, centre), math.dist(end, centre)
+        if abs(abs(words.get("R", radius)) - beside) > _OFF + _OFF_PART * radius:
+            self._recorder.note(
+                flat, f"no arc leads there: its end lies {beside:.6g} mm from its centre, its start {radius:.6g}"
+            )
         if plane == 17:
             centre = self.offsets.turned(*centre)
         else:

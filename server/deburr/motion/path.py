@@ -55,6 +55,8 @@ class Flag(IntFlag):
     """G93: the feed says how often a minute the move could be made."""
     SIDEWAYS = 64
     """It moves across the axis of the tool in the plane that is active, whatever else."""
+    MACHINE = 128
+    """G53: the axes that it moves go to places of the machine's own, whatever offsets are not known."""
 
 
 class Happening(IntEnum):

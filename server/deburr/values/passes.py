@@ -24,7 +24,10 @@ def passes(solution: Solution, loop: Loop) -> Passes | None:
     inside = [node for node in solution.before if loop.first <= node <= loop.last]
     if loop.head not in solution.before or any(_leaves(solution, loop, node) for node in inside):
         return None
-    for key in sorted(solution.graph.nodes[loop.test].used - {None}, key=str):
+    counters = sorted(solution.graph.nodes[loop.test].used - {None}, key=str)
+    if loop.head == loop.test and not _inside(loop, solution.targets(loop.test)):
+        return Passes(0, counters[0]) if counters else None
+    for key in counters:
         setting = [node for node in inside if _may_set(solution, node, key)]
         if len(setting) == 1 and _is_in_each_pass(solution, loop, setting[0]):
             times = _counted(solution, loop, setting[0], key)

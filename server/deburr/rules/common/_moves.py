@@ -29,10 +29,11 @@ def outside(path: Path, machine: Mapping[str, Any]) -> Iterator[Report]:
     for index, length in _with_lengths(path):
         if path.kinds[index] == Kind.SHIFT:
             continue
+        of_machine = bool(path.flags[index] & Flag.MACHINE)
         for axis, low, high, moves in _reached(path, index, length):
             least, most = limits.get(axis, (low, high))
             beyond = low if low < least - _NEAR else high if high > most + _NEAR else None
-            if beyond is not None and moves and _known(path, index, axis):
+            if beyond is not None and moves and (of_machine or _known(path, index, axis)):
                 unit = "degrees" if axis in "ABC" else "mm"
                 what = "the arc reaches" if path.kinds[index] == Kind.ARC else "the move goes to"
                 said = f"{what} {axis} {beyond:.6g} {unit}, outside of the machine's limits {least:g} to {most:g}"
@@ -112,6 +113,9 @@ def _reached(path: Path, index: int, length: Sequence[float]) -> Iterator[tuple[
     arc = path.arc(index)
     lows, highs = extremes(arc) if arc is not None else (end, end)
     lost = path.unknown[index - 1] if index else -1
+    if path.flags[index] & Flag.MACHINE:
+        # Only the axes that it names go anywhere.
+        lost = 0
     for at, (axis, low, high, offset) in enumerate(zip(_AXES, lows, highs, length)):
         yield axis, low + offset, high + offset, bool(lost >> at & 1) or not low == high == start[at]
     for axis, column in path.beside.items():

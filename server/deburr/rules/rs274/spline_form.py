@@ -36,6 +36,10 @@ Good:
     F100
     G17 G5 X1 Y1 I1 J1 P1 Q1
     G5.1 X2 Y2 I1 J1
+    G5.2 X3 Y1 P1
+    X4 Y2 P1
+    X5 Y1 P1
+    G5.3
 """
 
 from collections.abc import Iterator
@@ -54,7 +58,7 @@ def check(line: Line, state: State) -> Iterator[Report]:
     found = words(line)
     if not found.clear:
         return
-    if "G5.3" in found.has and in_force(state, "motion") is not None:
+    if "G5.3" in found.has and in_force(state, "motion") not in (None, "G5.2"):
         at = found.first("G5.3")
         yield report(line, at, f"`{said(line, at)}` ends a curve that no `G5.2` has begun")
     made = motion(found, state)
