@@ -29,8 +29,11 @@ from deburr_grammar.dialect import Dialect, Reading
 from deburr_grammar.document import Piece
 from deburr_grammar.line import LineNode, Shape
 
-_LINES = 20_000
+_LINES = 4_096
 """How many are kept; whoever has more forgets all."""
+_PLANS = "plans"
+_SETS = 8
+"""Plans that a shape keeps, of as many rule sets and readings."""
 
 
 class Searched(NamedTuple):
@@ -109,11 +112,16 @@ class RuleSet:
 
     def plan(self, shape: Shape, reading: Reading) -> tuple[Rule, ...]:
         """The rules that may have something to say of lines of a shape: decided once a shape."""
+        plans = shape.memo.setdefault(_PLANS, {})
+        assert isinstance(plans, dict)
         key = self._plans, reading.name
-        plan = shape.memo.get(key)
+        plan: tuple[Rule, ...] | None = plans.get(key)
         if plan is None:
-            plan = shape.memo[key] = self._planned(shape, reading)
-        assert isinstance(plan, tuple)
+            planned = self._planned(shape, reading)
+            if len(plans) >= _SETS:
+                # Those of rule sets that are gone, for the most part: a changed configuration makes new ones.
+                plans.clear()
+            plan = plans[key] = planned
         return plan
 
     def _planned(self, shape: Shape, reading: Reading) -> tuple[Rule, ...]:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from deburr_grammar.document import Document, Piece
     from deburr_grammar.line import Shape
 
-_STEPS = 16_384
+_STEPS = 8_192
 """Steps of shapes kept under all states together: someone who types makes new ones with every key."""
 _STATES = 10_000
 

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 _YOUNG = (20_000, 100, 100)
 """New objects that are looked through at once, in a millisecond, and how seldom older ones are."""
+_FEW = 10
+"""Looks at new objects since the last check, behind which all of them can be looked through in some milliseconds."""
 _QUIET = 10.0
 """Seconds without a message after which all is looked through."""
 _SHARE = 60
@@ -40,7 +42,8 @@ class Garbage:
 
     def checked(self) -> None:
         """A program was gone through: what is known now stays known for a while."""
-        gc.collect(0)
+        # What was made since the last check is all that is looked through, unless it is very much.
+        gc.collect(1 if gc.get_count()[1] < _FEW else 0)
         gc.freeze()
         if self._timer is None:
             self._timer = self._loop.call_later(self._pause, self._look)

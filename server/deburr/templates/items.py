@@ -186,7 +186,7 @@ class Builder:
         self._stack.append(body)
 
 
-@lru_cache(maxsize=16_384)
+@lru_cache(maxsize=4_096)
 def raw_items(node: LineNode) -> tuple[tuple[str, int, int, Node | None], ...]:
     """The items of a line without its number: kind, columns, the command's node."""
     found: list[tuple[str, int, int, Node | None]] = []

@@ -107,7 +107,7 @@ def joined(one: Value, two: Value) -> Value:
     return one if one is two or one == two else _joined(one, two)
 
 
-@lru_cache(maxsize=16_384)
+@lru_cache(maxsize=4_096)
 def _joined(one: Value, two: Value) -> Value:
     wild, unset = one.wild or two.wild, one.unset or two.unset
     if one.texts or two.texts:

@@ -103,7 +103,7 @@ def _of_piece(document: Document, piece: Piece, compare: str) -> list[tuple[int,
     return found
 
 
-@lru_cache(maxsize=32_768)
+@lru_cache(maxsize=4_096)
 def _of_line(text: str, reading: Reading, shape: Shape, compare: str) -> Held:
     """What a line holds, as line 0. Many lines of a program are written more than once."""
     found = Held([], [], [], [], [])

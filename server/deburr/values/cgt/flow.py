@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from deburr.values.cgt.words import Vocabulary
 
 _LOST = frozenset(("head", "else", "repeat"))
+_DEEPEST = 100
+"""Levels of brackets and branches; no template comes near."""
 
 
 class Section(NamedTuple):
@@ -115,6 +117,8 @@ class Builder:
 
     def _body(self, body: Body) -> None:
         self._waiting.append([])
+        if len(self._waiting) > _DEEPEST:
+            raise Unread
         line = body.opener.line if body.opener is not None else None
         for parts in by_line(parts_of(body)):
             if line is not None and first_line(parts[0]) > line:
