@@ -65,6 +65,7 @@ class Builder:
         self._ways: dict[int, set[int]] = {}
         self._first: list[int] = []
         self._labels: dict[float, list[int]] = {}
+        self._targets: dict[tuple[float, bool, int], Sequence[int]] = {}
         self._sections = [at for at, line in enumerate(lines) if line.section is not None]
         self._sites: dict[tuple[int, int], Site] = {}
         self._ends: dict[int, list[Site]] = {}
@@ -101,9 +102,13 @@ class Builder:
 
     def targets(self, at: int, value: float, near: bool) -> Sequence[int]:
         """The lines of a block number, as a jump on a line finds them. Sections have numbers of their own."""
-        rows = [row for number in self._numbers(value, near) for row in self._labels[number]]
-        own = [row for row in rows if bisect_right(self._sections, row) == bisect_right(self._sections, at)]
-        return own or rows if len(rows) > 1 else rows
+        section = bisect_right(self._sections, at)
+        found = self._targets.get((value, near, section))
+        if found is None:
+            rows = [row for number in self._numbers(value, near) for row in self._labels[number]]
+            own = [row for row in rows if bisect_right(self._sections, row) == section]
+            found = self._targets[value, near, section] = own or rows if len(rows) > 1 else rows
+        return found
 
     def labelled(self, value: Value) -> list[float]:
         """The block numbers among a range of values."""

@@ -20,7 +20,7 @@ _PARTS = frozenset(("advanced", "angle", "vector", "alias_name", "axis_alias", "
 _CALCULATED = frozenset(("advanced", "angle", "vector"))
 _NAMES = ("NAME", "other", "reserved")
 _KEY = "z32 values"
-_MOST = 20_000
+_MOST = 8_000
 """Lines that take part. Of a program with more nothing is said: it is a list of moves, made by a machine."""
 _LINES, _VALUES, _ALIAS_READ, _COMPUTED = "lines that take part", "parameters", "an alias is read", "a computed jump"
 
