@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 from deburr.finding import Fix
 from deburr.fix import Broken
@@ -15,6 +15,7 @@ _ADVISED = r"(?:did you mean|write|written|type) `([^`]+)`(?! (?:for|to|or|and|b
 _BEFORE = r"write `([^`]+)` before it"
 _AROUND = r"(\|[ \t]*|#<|o<|#|@|')(.*?)([ \t]*\||>|'|)"
 """Signs around a name, which a proposal may leave out."""
+_AXES, _CODES = frozenset("XYZABCUVW"), frozenset("GM")
 Fixer = Callable[[Broken], Iterator[Fix]]
 
 
@@ -64,15 +65,33 @@ def split(broken: Broken) -> Iterator[Fix]:
     """The line ends before the fault, and another begins with it."""
     before = broken.text[: broken.span.start]
     if before.strip():
-        edit = broken.edit(len(before.rstrip()), broken.span.start, f"\n{broken.indent}")
+        edit = broken.edit(len(before.rstrip()), broken.span.start, f"\n{_lead(broken)}")
         yield Fix("Split the line here", (edit,))
+
+
+def parted(broken: Broken, words: Sequence[tuple[str, int]], one: int, other: int) -> Iterator[Fix]:
+    """Two codes that exclude each other stand on lines of their own, if each has its own axis words and no other code may belong to both.
+
+    ``words``: the letters of all words of the line, and where they start; ``one`` and ``other`` say which of them are the codes.
+    """
+    first, second = sorted((one, other))
+    own, behind = ({letter for letter, _ in part} for part in (words[first + 1 : second], words[second + 1 :]))
+    if not _AXES.isdisjoint(own) and not _AXES.isdisjoint(behind) and _CODES.isdisjoint(own | behind):
+        start = words[second][1]
+        edit = broken.edit(len(broken.text[:start].rstrip()), start, f"\n{_lead(broken)}")
+        yield Fix(f"Split the line before `{broken.text[start:].split()[0]}`", (edit,))
+
+
+def _lead(broken: Broken) -> str:
+    """What a line that was part of another starts with: its blanks, and the sign by which an operator leaves both out."""
+    return broken.indent + ("/" if broken.text.lstrip().startswith("/") else "")
 
 
 def moved_above(broken: Broken) -> Iterator[Fix]:
     """The fault stands on a line of its own, above."""
     out = broken.deleted(*broken.span)
     if out.edits[0].start.line == out.edits[0].end.line:
-        above = Edit(Pos(broken.line, 0), Pos(broken.line, 0), f"{broken.indent}{broken.said}\n")
+        above = Edit(Pos(broken.line, 0), Pos(broken.line, 0), f"{_lead(broken)}{broken.said}\n")
         yield Fix(f"Write `{broken.said}` on a line of its own", (above, *out.edits))
 
 

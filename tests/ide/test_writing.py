@@ -183,6 +183,8 @@ def test_no_signature_where_nothing_is_called() -> None:
         ("metagcode", "#IF1 |a| EqalTo 1 n\n#ENDIF1\n", ["Change to `equalto`", "Allow `metagcode.if-operator` here"]),
         ("z32", "(P)\nX<SINN(1)>\nM30\n", ["Change to `SN`", "Allow `z32.function-unknown` here"]),
         ("rs274", "G21 G90 G17\nG1 X1 F1 G1\nM2\n", ["Delete `G1`", "Allow `rs274.g-group` here"]),
+        ("rs274", "G21 G90 G17\nG0 X1 G1 Y1 F1\nM2\n", ["Split the line before `G1`", "Allow `rs274.g-group` here"]),
+        ("rs274", "G21 G90 G17\nM3 M4\nM2\n", ["Allow `rs274.m-group` here"]),
     ],
 )
 def test_actions(dialect: str, text: str, titles: list[str]) -> None:
@@ -207,7 +209,7 @@ def test_a_second_rule_is_allowed_in_the_comment_that_is_there() -> None:
 
 @pytest.mark.parametrize("ending", ["\n", "\r\n"])
 def test_fixes_end_lines_as_the_program_does(ending: str) -> None:
-    view, _ = at_cursor("rs274", ending.join(("G21 G90 G17", "M3 S100 M4", "M2", "")))
+    view, _ = at_cursor("rs274", ending.join(("G21 G90 G17", "M0 M30", "")))
     findings = Analysis(view.document, view.ruleset, view.file, view.host).findings()
     (split,) = [each for each in quick_fixes(view, findings) if each.title == "Split the line here"]
     assert [edit.text for edit in split.edits] == [ending]

@@ -14,9 +14,11 @@ from deburr.check import opened
 from deburr.expand import Budget, Program, expand, interpreter
 from deburr.finding import Finding
 from deburr.fix import Fix, applied, cures, fixes_of
+from deburr.mend import mended
 from deburr.rule import Rule
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import NAMES, by_name
+from deburr_grammar.document import Document
 from support.pages import Example, MemoryHost, checked, examples
 
 RULES = [rule for name in NAMES for rule in rules_of(name) if not rule.input]
@@ -190,7 +192,11 @@ MADE = [
     ("rs274.sub-unknown", "o<dril> call [3]", "o<drill> call [3]"),
     ("rs274.value-missing", "G0 XO Y0", "G0 X0 Y0"),
     ("rs274.word-conflict", "G33 Z-5 K1 F100", "F100\nG33 Z-5 K1"),
-    ("rs274.word-repeated", "G0 X1 Y2 X3", "G0 X1 Y2"),
+    ("rs274.g-group", "G0 X1 G1 Y2 F100", "G0 X1\nG1 Y2 F100"),
+    ("rs274.m-group", "M7 M8", "M8\nM7"),
+    ("rs274.m-group", "M3 S100 M3", "M3 S100"),
+    ("rs274.axis-conflict", "G92 X0 G1 Y5 F100", "G92 X0\nG1 Y5 F100"),
+    ("rs274.word-repeated", "G0 X1 Y2 X1", "G0 X1 Y2"),
     ("cgt.bracket-unclosed", "<#MOV>< X#XPOS>< Y#YPOS>< Z#ZPOS", "<#MOV>< X#XPOS>< Y#YPOS>< Z#ZPOS>"),
     ("cgt.call-in-text", "S#SPEED M03 #CALL(coolant)", "S#SPEED M03\n#CALL(coolant)"),
     ("cgt.command-syntax", "#UPDATE(#XPOS #YPOS)", "#UPDATE(#XPOS,#YPOS)"),
@@ -212,7 +218,7 @@ MADE = [
     ("z32.fcepp-spelling", "A=$FECPP('INIT_VAR_SYST')", "A=$FCEPP('INIT_VAR_SYST')"),
     ("z32.field-unreachable", "!IF HA>1; EB; HB=2! HA=0!", "!IF HA>1; EB! HA=0!"),
     ("z32.function-paren", "HA<SN 30>", "HA<SN(30)>"),
-    ("z32.g-conflict", "G2 X1 G00 Y2 G01", "X1 G00 Y2 G01"),
+    ("z32.g-conflict", "G0 X1 G1 Y2", "G0 X1\nG1 Y2"),
     ("z32.html-entity", "!IF HA&gt10; HA=1!", "!IF HA>10; HA=1!"),
     ("z32.if-falls-through", "!IF HA>1; HA=1! HA=0!", "!IF HA>1; HA=1; EB! HA=0!"),
     ("z32.if-syntax", "!IF HA>1 HA=5!", "!IF HA>1; HA=5!"),
@@ -237,6 +243,57 @@ def test_what_a_fix_makes_of_its_line(name: str, line: str, made: str) -> None:
     after = applied(case.analysis.document, fix.edits).text.split("\n")
     at = finding.place.line
     assert after == [*before[:at], *made.split("\n"), *before[at + 1 :]]
+
+
+# Lines of which only who wrote them knows what was meant, and lines that an operator may leave out: what all fixes together make of them.
+TOGETHER = [
+    ("rs274", "G0 G1 X1 F100", None),
+    ("rs274", "G90 G91", None),
+    ("rs274", "G54 G17 G55", None),
+    ("rs274", "G0 X1 G91 G1 Y2", None),
+    ("rs274", "G0 X1 G1 Y2 G90", None),
+    ("rs274", "X1 G0 G1 Y2", None),
+    ("rs274", "G0 X#1 #1=5 G1 Y#1", None),
+    ("rs274", "M3 M4", None),
+    ("rs274", "M3 S100 M5", None),
+    ("rs274", "M48 M49", None),
+    ("rs274", "M0 M30 S5", None),
+    ("rs274", "G0 X1 Y2 X3", None),
+    ("rs274", "F100 S500 F200", None),
+    ("rs274", "G0 X1 I1", None),
+    ("rs274", "G0 X1e2", None),
+    ("rs274", "G92 G1 X0 F100", None),
+    ("rs274", "T1 M6 M3 M8 M48 M1 S4000", None),
+    ("rs274", "  /G0 X1 (there) G1 Y2 (cut)", "  /G0 X1 (there)\n  /G1 Y2 (cut)"),
+    ("rs274", "N10 G0 X1 G1 X2 Y2", "N10 G0 X1\nG1 X2 Y2"),
+    ("rs274", "G0 X1 G0 Y2", "G0 X1\nG0 Y2"),
+    ("rs274", "G1 X1 G1", "G1 X1"),
+    ("rs274", "/M7 M8", "/M8\n/M7"),
+    ("rs274", "/M0 M30 (end)", "/M0\n/M30 (end)"),
+    ("rs274", "M1 M30", "M1\nM30"),
+    ("rs274", "G28 G0 Z10", "G0\nG28 Z10"),
+    ("rs274", "G1 X5 G92 Y0", "G1 X5\nG92 Y0"),
+    ("z32", "G0 G1 X1", None),
+    ("z32", "G0 X1 G91 G1 Y2", None),
+    ("z32", "/G0 X1 G1 Y2", "/G0 X1\n/G1 Y2"),
+]
+
+
+@pytest.mark.parametrize(("dialect", "line", "made"), TOGETHER, ids=[f"{name} {line}" for name, line, _ in TOGETHER])
+def test_no_fix_chooses_between_words_of_which_one_was_meant(dialect: str, line: str, made: str | None) -> None:
+    language = by_name(dialect)
+    ruleset = RuleSet(language)
+    head, tail = (
+        ("(P)\n", "\nM30\n") if dialect == "z32" else ("G21 G90 G17 F100\n", "\n" if "M30" in line else "\nM2\n")
+    )
+
+    def look(document: Document) -> Analysis:
+        return Analysis(document, ruleset, "", MemoryHost({}))
+
+    document = Document.parse(f"{head}{line}{tail}", language)
+    assert look(document).findings()
+    found = mended(document, look, unsafe=True).document.text
+    assert found == f"{head}{line if made is None else made}{tail}"
 
 
 def test_the_missing_end_stands_where_the_indented_lines_end() -> None:

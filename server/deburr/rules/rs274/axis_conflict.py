@@ -14,6 +14,8 @@ Bad:
     ^^
     G10 L2 P1 X0 G0
                  ^^
+    G92 X0 G1 Y5 F100
+           ^^
 
 Good:
 
@@ -22,11 +24,16 @@ Good:
     G80 G28 X1
 """
 
+import itertools
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.fixers import moved_above
 from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.rs274._parting import between, line_of
 from deburr.rules.rs274._words import TAKES_AXES, report, said, words
+from deburr_grammar.dialects.rs274.modality import AXES
 from deburr_grammar.tree import Node
 
 
@@ -46,4 +53,16 @@ def check(line: Line, _: Node) -> Iterator[Report]:
             )
 
 
-fix = moved_above
+_RETURNS = frozenset(("G28", "G30"))
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write the motion on a line of its own: with its axis words where both codes have some, alone where it has none or is the rapid of a return."""
+    _, found, starts = line_of(broken)
+    at = starts.index(broken.span.start)
+    own = itertools.takewhile(lambda letter: letter not in "GM", found.letters[at + 1 :])
+    returns = found.codes[at] == "G0" and not _RETURNS.isdisjoint(found.has)
+    if parting := list(between(broken, found.first(*TAKES_AXES))):
+        yield from parting
+    elif returns or AXES.isdisjoint(own):
+        yield from moved_above(broken)

@@ -16,6 +16,8 @@ Bad:
             ^^^
     G28 G53 G0 X1
         ^^^
+    G0 X1 G1 Y2 F100
+          ^^
 
 Good:
 
@@ -25,8 +27,9 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fixers import deleted
+from deburr.fixers import either
 from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.rs274._parting import copy_left_out, group_parted
 from deburr.rules.rs274._words import clashes
 from deburr_grammar.tree import Node
 
@@ -37,4 +40,4 @@ def check(line: Line, _: Node) -> Iterator[Report]:
     yield from clashes(line, "G", "the control takes one of them on a line")
 
 
-fix = deleted
+fix = either(group_parted, copy_left_out)

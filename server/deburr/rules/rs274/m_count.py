@@ -17,8 +17,11 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.fixers import split
 from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.rs274._parting import line_of
 from deburr.rules.rs274._words import report, said, sharing, words
 from deburr_grammar.tree import Node
 
@@ -37,4 +40,8 @@ def check(line: Line, _: Node) -> Iterator[Report]:
         yield report(line, at, f"`{said(line, at)}` is the fifth M code or later; the control takes four on a line")
 
 
-fix = split
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Split the line before it, if nothing but such codes stands behind it: other words would leave the codes before it."""
+    _, found, starts = line_of(broken)
+    if set(found.letters[starts.index(broken.span.start) :]) == {"M"}:
+        yield from split(broken)

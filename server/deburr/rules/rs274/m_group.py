@@ -16,6 +16,8 @@ Bad:
        ^^
     M48 M50 P0
         ^^^
+    M3 S100 M3
+            ^^
 
 Good:
 
@@ -26,8 +28,11 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fixers import split
+from deburr.finding import Fix
+from deburr.fix import Broken
+from deburr.fixers import moved_above, split
 from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.rs274._parting import copy_left_out, line_of
 from deburr.rules.rs274._words import clashes
 from deburr_grammar.tree import Node
 
@@ -38,4 +43,18 @@ def check(line: Line, _: Node) -> Iterator[Report]:
     yield from clashes(line, "M", "write one of them on a line of its own")
 
 
-fix = split
+_TOGETHER = frozenset(("M7", "M8"))
+_STOPS, _ENDS = frozenset(("M0", "M1", "M60")), frozenset(("M2", "M30"))
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Write them on two lines where both hold one after the other: coolants, and a stop before the end. Elsewhere only one was meant."""
+    _, found, starts = line_of(broken)
+    at = starts.index(broken.span.start)
+    before = set(found.codes[:at])
+    if found.codes[at] in _TOGETHER and before & _TOGETHER - {found.codes[at]}:
+        yield from moved_above(broken)
+    elif found.codes[at] in _ENDS and before & _STOPS and at == len(starts) - 1:
+        yield from split(broken)
+    else:
+        yield from copy_left_out(broken)

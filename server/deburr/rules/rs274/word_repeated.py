@@ -13,6 +13,8 @@ Bad:
               ^^^^
     G4 P1 M62 P2
               ^^
+    G0 X1 Y2 X1
+             ^^
 
 Good:
 
@@ -22,8 +24,8 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fixers import deleted
 from deburr.rule import Line, Nodes, Report, Severity, rule
+from deburr.rules.rs274._parting import copy_left_out
 from deburr.rules.rs274._words import report, said, words
 from deburr_grammar.tree import Node
 
@@ -42,4 +44,4 @@ def check(line: Line, _: Node) -> Iterator[Report]:
             )
 
 
-fix = deleted
+fix = copy_left_out

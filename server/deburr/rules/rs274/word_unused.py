@@ -44,7 +44,6 @@ Good:
 
 from collections.abc import Iterator
 
-from deburr.fixers import deleted
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
 from deburr.rules.rs274._words import UNKNOWN, motion, node, report, said, users, value, words
@@ -81,6 +80,3 @@ def _hint(line: Line, letter: str, made: str) -> str:
     takers = sorted(users(line.node.dialect, letter), key=lambda code: (code[0], float(code[1:].partition("-")[0])))
     not_by = f"; `{made}` does not" if made and made != UNKNOWN else ""
     return f"{not_by}; {letter} belongs to {', '.join(takers)}; the control stops here"
-
-
-fix = deleted

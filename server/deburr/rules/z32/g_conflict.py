@@ -11,6 +11,8 @@ Bad:
     ^^
     G2 X1 G00 Y2 G01
     ^^    ^^^
+    G0 X1 G1 Y2
+    ^^
 
 Good:
 
@@ -21,7 +23,9 @@ Good:
 from collections.abc import Iterator
 from itertools import pairwise
 
-from deburr.fixers import deleted
+from deburr.finding import Fix
+from deburr.fix import Broken
+from deburr.fixers import parted
 from deburr.rule import Line, Report, Severity, Text, rule, whole
 from deburr_grammar.codes import code_number
 from deburr_grammar.tree import Node
@@ -46,4 +50,12 @@ def _grouped(line: Line) -> Iterator[tuple[str, str, Node]]:
             yield str(entry.more.get("group")), code, word
 
 
-fix = deleted
+def fix(broken: Broken) -> Iterator[Fix]:
+    """Split the line before the code that wins, where both have axis words of their own. Which of two was meant otherwise, nobody knows."""
+    line = Line(broken.node, broken.analysis.settings)
+    starts = [word.start for word in broken.node.find("word", "g_word")]
+    words = [(broken.text[start].upper(), start) for start in starts]
+    grouped = sorted(_grouped(line), key=lambda word: word[0])
+    for (group, _, word), (next_group, _, next_word) in pairwise(grouped):
+        if group == next_group and word.start == broken.span.start:
+            yield from parted(broken, words, starts.index(word.start), starts.index(next_word.start))
