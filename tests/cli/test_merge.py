@@ -72,6 +72,55 @@ def test_the_exit_code_is_that_of_one_check(shell):
     assert shell.run("merge", *names, "--fail-on", "info", "--exit-zero").code == 0
 
 
+@pytest.mark.parametrize("form", ["json", "json-lines"])
+def test_a_missing_part_is_named(archive, form):
+    first, second, third = parts(archive, 3, form)
+    ran = archive.run("merge", first, third)
+    assert (ran.code, ran.out) == (2, "") and "the report of part 2/3 is missing; `deburr check --shard 2/3`" in ran.err
+    assert "part 1/3" not in ran.err and "--incomplete merges what there is" in ran.err
+    assert archive.run("merge", first, third, "--incomplete").out.endswith("(2 reports)\n")
+    assert archive.run("merge", third, first, second).code == archive.run("check").code == 1
+
+
+def test_a_part_in_which_nothing_is_found_is_missed_too(shell):
+    shell.write("a.ngc", "M2\n")
+    names = parts(shell, 2)
+    assert shell.run("merge", *names) == (0, "No findings (2 reports)\n", "")
+    for number, name in enumerate(names, 1):
+        ran = shell.run("merge", name)
+        assert ran.code == 2 and f"the report of part {3 - number}/2 is missing" in ran.err
+
+
+@pytest.mark.parametrize("form", ["json", "json-lines"])
+def test_a_part_that_could_not_be_checked_is_named(shell, form):
+    shell.write("a.ngc", "M2\n")
+    shell.write("b.ngc", "M2\n\0M2\n")
+    names = parts(shell, 2, form)
+    ran = shell.run("merge", *names)
+    assert (ran.code, ran.out) == (2, "")
+    assert "part 2/2 could not check" in ran.err and "b.ngc: " in ran.err and "a.ngc" not in ran.err
+    assert shell.run("merge", *names, "--incomplete").code == 0
+
+
+def test_parts_of_different_checks_do_not_fit(archive):
+    two, three = parts(archive, 2)[0], parts(archive, 3, "json-lines")[1]
+    ran = archive.run("merge", two, three)
+    assert ran.code == 2 and "of different checks: of 2 parts and of 3 parts" in ran.err
+
+
+def test_a_report_of_a_part_says_which_one_it_is(archive):
+    (name,) = parts(archive, 3)[1:2]
+    said = json.loads((archive.folder / name).read_text())
+    assert said["shard"] == {"number": 2, "of": 3} and said["failed"] == []
+    assert {each["filename"].rpartition("/")[2] for each in said["findings"]} <= {
+        "p1.ngc",
+        "p4.ngc",
+        "q2.z32",
+        "shared.ngc",
+    }
+    assert said["programs"] == 4
+
+
 def finding(**changed):
     place = {"row": 1, "column": 1}
     rule = rule_names("rs274")[0]
@@ -101,6 +150,10 @@ def finding(**changed):
         (json.dumps([finding(fix={"message": 1, "edits": 2})]), "1.json: no report of"),
         (json.dumps([finding(rule="rs274.nothing")]), "1.json: `rs274.nothing` is no rule of this version"),
         (json.dumps([finding(dialect="klingon")]), "is no rule of this version"),
+        ('{"shard": {"number": 3, "of": 2}, "failed": [], "findings": []}', "1.json: no report of"),
+        ('{"shard": {"number": true, "of": 2}, "failed": [], "findings": []}', "1.json: no report of"),
+        ('{"shard": {"number": 1, "of": 2}, "failed": [], "findings": 5}', "1.json: no report of"),
+        ('{"shard": 1, "failed": [], "findings": []}', "1.json: no report of"),
     ],
 )
 def test_what_is_no_report_is_said(shell, text, message):

@@ -76,7 +76,7 @@ def compared(result: Result, arguments: argparse.Namespace, *, whole: bool = Fal
         old = now
     elif arguments.verbose and (gone := len(old.known() - now.known())):
         complain(f"{arguments.baseline}: {gone} of its findings are no more; --update-baseline drops them", "")
-    return Result(result.outcomes, old.known(), result.origin)
+    return Result(result.outcomes, old.known(), result.origin, result.shard)
 
 
 def load(path: str, *, new: bool = False) -> Baseline:

@@ -121,11 +121,12 @@ def _cache(arguments: argparse.Namespace, found: Sequence[Target], configs: Conf
 
 def _compared(made: tuple[Outcome, ...], arguments: argparse.Namespace) -> Result:
     """The result without what a baseline holds, which is written anew if that is asked for."""
+    result = Result(made, shard=arguments.shard)
     if not arguments.baseline:
-        return Result(made)
+        return result
     from deburr.cli.baseline import compared
 
-    return compared(Result(made), arguments)
+    return compared(result, arguments)
 
 
 def _show(result: Result, quiet: bool) -> int:

@@ -1,22 +1,16 @@
 """The options of `deburr check`, and what they lay over all configuration. Checks nothing."""
 
 import argparse
-from typing import Any, NamedTuple
+from typing import Any
 
 from deburr.cli.common import Help, add_config, add_dialect
 from deburr.cli.inputs import add_inputs, settings
 from deburr.cli.output import add_output
+from deburr.cli.result import Shard
 from deburr.config import Config, ConfigError, from_command_line
 from deburr.schema import LEVELS
 from deburr.selection import Selection, unknown
 from deburr.suggest import suggestion
-
-
-class Shard(NamedTuple):
-    """One of several parts of the programs: its number from 1, and how many there are."""
-
-    number: int
-    of: int
 
 
 def parser() -> argparse.ArgumentParser:
@@ -98,7 +92,7 @@ def _add_archives(found: argparse.ArgumentParser) -> None:
         "--shard",
         type=_shard,
         metavar="K/N",
-        help="only the K-th of N parts of the programs; `deburr merge` makes one report of the parts' reports (json or json-lines)",
+        help="only the K-th of N parts of the programs; `deburr merge` makes one report of the parts' reports (json or json-lines), which say of which part they are",
     )
     found.add_argument(
         "--no-cache",

@@ -1,30 +1,28 @@
 """`deburr merge`: one report of the reports of several checks, such as the parts that `deburr check --shard` makes."""
 
 import argparse
-from collections.abc import Iterable, Iterator
+from collections.abc import Sequence
 from functools import cache
-from typing import Any
 
-from deburr import paths
 from deburr.catalogue import rule_names
 from deburr.cli.common import Help, unable
 from deburr.cli.disk import Disk
 from deburr.cli.output import add_output, outputs_of, written
+from deburr.cli.reports import Part, Report, read
 from deburr.cli.result import Result
 from deburr.cli.run import Outcome, texts
 from deburr.config import ConfigError
-from deburr.finding import Finding, Fix, Place, Related, Severity
+from deburr.finding import Finding, Severity
 from deburr.schema import LEVELS
 from deburr.source import Source
 from deburr_grammar.dialects import NAMES
-from deburr_grammar.text import Edit, Pos
 
 
 def parser() -> argparse.ArgumentParser:
     """The command's options."""
     found = argparse.ArgumentParser(
         prog="deburr merge",
-        description="Make one report of the reports of several checks. What they have in common is said once; the exit code is that of one check with these findings. A part that could not be checked has ended with 2, which its report does not hold.",
+        description="Make one report of the reports of several checks. What they have in common is said once; the exit code is that of one check with these findings. Reports of the parts of a check (--shard) say which parts they are and what could not be checked; if anything is missing, nothing is merged and the exit code is 2.",
         epilog="example: deburr check --shard 1/2 --output-format json=1.json; deburr check --shard 2/2 --output-format json=2.json; deburr merge 1.json 2.json",
         formatter_class=Help,
         allow_abbrev=False,
@@ -35,6 +33,11 @@ def parser() -> argparse.ArgumentParser:
         choices=LEVELS,
         default="error",
         help="the least severity for which the exit code is 1 (default: error)",
+    )
+    found.add_argument(
+        "--incomplete",
+        action="store_true",
+        help="merge also where the report of a part is missing, or a part could not check all its programs",
     )
     found.add_argument("--exit-zero", action="store_true", help="exit 0 whatever is found")
     add_output(found)
@@ -57,7 +60,11 @@ def run(arguments: argparse.Namespace) -> int:
         outputs = outputs_of(arguments, statistics=arguments.statistics)
         if arguments.update_baseline and not arguments.baseline:
             raise ConfigError("--update-baseline: say with --baseline which file")
-        result = _merged(arguments.reports, Severity[arguments.fail_on.upper()], any(e.form == "full" for e in outputs))
+        reports = [read(name) for name in arguments.reports]
+        lacking = _lacking([part for each in reports for part in each.parts])
+        if lacking and not arguments.incomplete:
+            raise ConfigError(*lacking, "--incomplete merges what there is")
+        result = _merged(reports, Severity[arguments.fail_on.upper()], any(e.form == "full" for e in outputs))
         if arguments.baseline:
             from deburr.cli.baseline import compared
 
@@ -68,18 +75,13 @@ def run(arguments: argparse.Namespace) -> int:
     return unable([wrong]) if wrong else result.code(arguments.exit_zero)
 
 
-def _merged(reports: Iterable[str], fail_on: Severity, loud: bool) -> Result:
+def _merged(reports: Sequence[Report], fail_on: Severity, loud: bool) -> Result:
     """The findings of all reports, each program's together. ``loud``: with the lines that are to be shown, as far as the programs lie here."""
-    names = list(reports)
     found: dict[tuple[str, str], list[tuple[Finding, str]]] = {}
-    for name in names:
-        for said in _objects(name):
-            try:
-                finding, dialect, key = _finding(said), said["dialect"], said["fingerprint"].rpartition(":")[0]
-            except (AttributeError, KeyError, TypeError, ValueError):
-                raise ConfigError(_none(name)) from None
+    for report in reports:
+        for finding, dialect, key in report.findings():
             if finding.rule not in _rules(dialect):
-                raise ConfigError(f"{name}: `{finding.rule}` is no rule of this version of deburr")
+                raise ConfigError(f"{report.name}: `{finding.rule}` is no rule of this version of deburr")
             found.setdefault((finding.place.file, dialect), []).append((finding, key))
     disk = Disk()
     outcomes = []
@@ -87,61 +89,23 @@ def _merged(reports: Iterable[str], fail_on: Severity, loud: bool) -> Result:
         findings, keys = zip(*pairs)
         shown = texts(findings, file, Source(disk.read(file) or ""), disk) if loud else ()
         outcomes.append(Outcome(file, dialect, "", findings, fail_on, texts=shown, keys=keys))
-    return Result(tuple(outcomes), origin=f"{len(names)} report{'' if len(names) == 1 else 's'}")
+    return Result(tuple(outcomes), origin=f"{len(reports)} report{'' if len(reports) == 1 else 's'}")
+
+
+def _lacking(parts: Sequence[Part]) -> list[str]:
+    """What the reports of parts do not hold of the whole check."""
+    if not parts:
+        return []
+    counts = sorted({part.shard.of for part in parts})
+    if len(counts) > 1:
+        several = " and ".join(f"of {count} parts" for count in counts)
+        return [f"the reports are of different checks: {several}"]
+    there = {part.shard.number for part in parts}
+    missing = [f"{number}/{counts[0]}" for number in range(1, counts[0] + 1) if number not in there]
+    wrong = [f"the report of part {part} is missing; `deburr check --shard {part}` makes it" for part in missing]
+    return wrong + [f"part {part.shard} could not check {why}" for part in parts for why in part.failed]
 
 
 @cache
 def _rules(dialect: str) -> frozenset[str]:
     return frozenset(rule_names(dialect) if dialect in NAMES else ())
-
-
-def _objects(name: str) -> list[Any]:
-    """What a report holds, a list or an object a line."""
-    from json import loads
-
-    try:
-        text = paths.data(name).decode("utf-8-sig")
-        found = (
-            loads(text) if text.lstrip().startswith("[") else [loads(line) for line in text.split("\n") if line.strip()]
-        )
-    except OSError as error:
-        raise ConfigError(f"{name}: {error.strerror}") from None
-    except (ValueError, RecursionError):
-        raise ConfigError(_none(name)) from None
-    if not isinstance(found, list):
-        raise ConfigError(_none(name))
-    return found
-
-
-def _none(name: str) -> str:
-    return f"{name}: no report of `deburr check --output-format json` or json-lines"
-
-
-def _finding(said: Any) -> Finding:
-    """A finding as a report has it; an error of a builtin kind if it has none."""
-    related = tuple(
-        Related(_place(each, each["filename"]), str(each["message"]), bool(each["entered"])) for each in said["related"]
-    )
-    fix, severity = said["fix"], Severity[said["severity"].upper()]
-    return Finding(
-        str(said["rule"]),
-        severity,
-        str(said["message"]),
-        _place(said, said["filename"]),
-        related,
-        None if fix is None else Fix(str(fix["message"]), tuple(_edits(fix["edits"])), fix["applicability"] == "safe"),
-    )
-
-
-def _edits(said: Iterable[Any]) -> Iterator[Edit]:
-    for each in said:
-        _, line, col, end_line, end_col = _place(each, "")
-        yield Edit(Pos(line, col), Pos(end_line, end_col), str(each["content"]))
-
-
-def _place(said: Any, file: str) -> Place:
-    start, end = said["location"], said["end_location"]
-    numbers = (start["row"], start["column"], end["row"], end["column"])
-    if not isinstance(file, str) or any(type(number) is not int or number < 1 for number in numbers):
-        raise ValueError
-    return Place(file, *(number - 1 for number in numbers))

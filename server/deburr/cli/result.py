@@ -9,6 +9,16 @@ from deburr.cli.run import Outcome
 from deburr.finding import Finding, Severity
 
 
+class Shard(NamedTuple):
+    """One of several parts of the programs: its number from 1, and how many there are."""
+
+    number: int
+    of: int
+
+    def __str__(self) -> str:
+        return f"{self.number}/{self.of}"
+
+
 class Row(NamedTuple):
     """A line of the statistics."""
 
@@ -31,14 +41,19 @@ class Result:
     """The outcomes in the order of their files.
 
     ``known``: the findings that are passed over, by file and fingerprint. ``origin``: where outcomes come
-    from that tell nothing of the programs in which nothing was found.
+    from that tell nothing of the programs in which nothing was found. ``shard``: of which part of a check they are, if not of all.
     """
 
     def __init__(
-        self, outcomes: tuple[Outcome, ...], known: frozenset[tuple[str, str]] = frozenset(), origin: str = ""
+        self,
+        outcomes: tuple[Outcome, ...],
+        known: frozenset[tuple[str, str]] = frozenset(),
+        origin: str = "",
+        shard: Shard | None = None,
     ) -> None:
         self.outcomes = outcomes
         self.origin = origin
+        self.shard = shard
         self._known = known
 
     @cached_property

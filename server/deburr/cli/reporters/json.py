@@ -1,4 +1,4 @@
-"""A JSON list of findings with 1-based rows and columns in code points."""
+"""A JSON list of findings with 1-based rows and columns in code points; of a part of a check an object that holds it."""
 
 from collections.abc import Iterable
 from typing import Any, TextIO
@@ -12,8 +12,10 @@ KEYED = True
 
 
 def report(result: Result, out: TextIO, style: Style) -> None:
-    """Write the findings."""
-    _write([as_object(each) for each in result.found], out)
+    """Write the findings; of a part of a check within what the report says of itself."""
+    found = [as_object(each) for each in result.found]
+    part = part_as_object(result)
+    _write(found if part is None else {**part, "findings": found}, out)
 
 
 def statistics(rows: Iterable[Row], out: TextIO, style: Style) -> None:
@@ -41,6 +43,14 @@ def as_object(found: Found) -> dict[str, Any]:
     }
 
 
+def part_as_object(result: Result) -> dict[str, Any] | None:
+    """Of a part of a check which one it is, how many programs it has, and which of them could not be checked; None of a whole check."""
+    if result.shard is None:
+        return None
+    failed = [{"filename": each.file, "message": each.failure} for each in result.outcomes if each.failure]
+    return {"shard": result.shard._asdict(), "programs": len(result.outcomes), "failed": failed}
+
+
 def row_as_object(row: Row) -> dict[str, Any]:
     """A line of the statistics."""
     return {"rule": row.rule, "severity": row.severity.word, "count": row.times, "summary": row.summary}
@@ -59,7 +69,7 @@ def _ends(place: Place) -> dict[str, Any]:
     }
 
 
-def _write(objects: list[dict[str, Any]], out: TextIO) -> None:
+def _write(objects: object, out: TextIO) -> None:
     from json import dumps
 
     out.write(dumps(objects, indent=2, ensure_ascii=False) + "\n")
