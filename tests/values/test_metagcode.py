@@ -7,24 +7,36 @@ from random import Random
 
 import pytest
 
+from deburr.analysis import Analysis
 from deburr.expand import Budget, Inputs, Job, Program, drive
 from deburr.expand.metagcode.build import Run
 from deburr.expand.metagcode.lines import Directive
-from deburr.values import proving
+from deburr.finding import Severity
+from deburr.values import proving, values_of
 from deburr.values.domain import Value
+from deburr.values.metagcode.orders import Order
 from deburr_grammar.dialects.metagcode.forms import number
 from support.values import MAIN, Known, analysed, known
 
 NAMES = ("a", "b", "c", "d")
-NUMBERS = ("0", "1", "2", "-1", "-3", "0.5", "5", "10", ".3", "-0.0", "7.25", "5.00", "1e3", "Steel", "")
-LITERALS = ("0", "1", "2", "-1", "5", "10", "0.3", "-2.5", "Steel")
+NUMBERS = ("0", "1", "2", "-1", "-3", "0.5", "5", "10", ".3", "-0.0", "7.25", "5.00", "1e3", "Steel", "Brass", "")
+LITERALS = ("0", "1", "2", "-1", "5", "10", "0.3", "-2.5", "Steel", "Brass")
 OPERATORS = ("greaterthan", "lessthan", "equalto", "notequalto")
 
 SILENT = {
     "a variable of which nothing is known": "#LOOP1 |z| |s| c\nG1 Z-|z|\n#ENDLOOP1\n",
     "behind the condition": "#IF1 |z| lessthan 0 n\nG0 Z5\n#ENDIF1\nG1 Z-|z|\n",
     "the bound itself": "#IF1 |z| lessthan 5 n\n#IF2 |z| equalto 5 n\n#ENDIF2\n#ENDIF1\n",
-    "a text that is a number in another spelling": "#IF1 |z| equalto 5.0 a\n#IF2 |z| equalto 5 n\nG0\n#ENDIF2\n#ENDIF1\n",
+    "a text that is a number in another spelling": "#IF1 |z| equalto 5.0 a\n#IF2 |z| greaterthan |y| n\nG0\n#ENDIF2\n#ENDIF1\n",
+    "a text that may still be another one": "#IF1 |m| notequalto Steel a\n#IF2 |m| equalto Brass a\nG0\n#ENDIF2\n#ENDIF1\n",
+    "a text behind another one": "#IF1 |m| greaterthan Brass a\n#IF2 |m| equalto Steel a\nG0\n#ENDIF2\n#ENDIF1\n",
+    "a text in another case": "#IF1 |m| greaterthan Steel a\n#IF2 |m| equalto steel a\nG0\n#ENDIF2\n#ENDIF1\n",
+    "behind the condition on a text": "#IF1 |m| equalto Steel a\nG0\n#ENDIF1\n#IF2 |m| equalto Brass a\nG0\n#ENDIF2\n",
+    "two variables, one of which is counted now": "#IF1 |z| lessthan |y| n\n#LOOP1 |y| 2 c\n#IF2 |z| lessthan |y| n\nG1 Z|y|\n#ENDIF2\n#ENDLOOP1\n#ENDIF1\n",
+    "two variables, of which one was counted": "#LOOP1 |y| 2 c\n#IF1 |z| lessthan |y| n\nG1 Z|y|\n#ENDIF1\n#ENDLOOP1\n#IF2 |z| lessthan |y| n\nG0\n#ENDIF2\n",
+    "two variables as numbers and then as texts": "#IF1 |z| lessthan |y| n\n#IF2 |z| lessthan |y| a\nG0\n#ENDIF2\n#ENDIF1\n",
+    "a switch that stands in the line": "#IF1 1 equalto 0 n\nM0\n#ENDIF1\n#IF2 1 equalto 1 n\nM1\n#ENDIF2\n",
+    "a bound beyond a bound": "#IF1 |z| greaterthan 5 n\n#IF2 |z| greaterthan 10 n\nG0\n#ENDIF2\n#ENDIF1\n",
     "behind a loop over it": "#IF1 |z| greaterthan 9 n\n#LOOP1 |z| 2 c\nG1 Z|z|\n#ENDLOOP1\n#IF2 |z| lessthan 11 n\nG0\n#ENDIF2\n#ENDIF1\n",
     "in a loop over it": "#IF1 |z| greaterthan 9 n\n#LOOP1 |z| 2 c\n#IF2 |z| lessthan 5 n\nG1 Z|z|\n#ENDIF2\n#ENDLOOP1\n#ENDIF1\n",
     "a sign in a comment": "#IF1 |z| lessthan 0 n\n(down to -|z|)\n#ENDIF1\n",
@@ -35,6 +47,67 @@ SILENT = {
 @pytest.mark.parametrize("name", SILENT)
 def test_nothing_is_said_of_what_is_not_proven(name: str) -> None:
     assert [each for each in proving(analysed(SILENT[name], "metagcode")) if each is not None] == []
+
+
+ALWAYS = "condition-constant", "always holds"
+NEVER = "if-contradiction", "contradicts"
+ITSELF = "condition-constant", "itself"
+DECIDED = {
+    "a text that is another one": ("|m| equalto Steel a", "|m| equalto Brass a", *NEVER),
+    "a text that is that one": ("|m| equalto Steel a", "|m| equalto Steel a", *ALWAYS),
+    "a text that is not that one": ("|m| notequalto Steel a", "|m| equalto Steel a", *NEVER),
+    "a text that is no other one": ("|m| equalto Steel a", "|m| notequalto Brass a", *ALWAYS),
+    "a text behind the one before it": ("|m| greaterthan Steel a", "|m| equalto Brass a", *NEVER),
+    "a text before the one behind it": ("|m| lessthan Brass a", "|m| lessthan Steel a", *ALWAYS),
+    "a text with the sides exchanged": ("Steel equalto |m| a", "Brass equalto |m| a", *NEVER),
+    "a text that is a number in another spelling": ("|z| equalto 5.0 a", "|z| equalto 5 n", *ALWAYS),
+    "a bound within a bound": ("|z| greaterthan 5 n", "|z| greaterthan 3 n", *ALWAYS),
+    "two variables turned round": ("|z| lessthan |y| n", "|y| lessthan |z| n", *NEVER),
+    "two variables once more": ("|z| lessthan |y| n", "|y| greaterthan |z| n", *ALWAYS),
+    "two variables that differ": ("|z| lessthan |y| n", "|y| equalto |z| n", *NEVER),
+    "two texts that are the same": ("|z| equalto |y| a", "|y| notequalto |z| a", *NEVER),
+    "a variable and itself": ("|z| greaterthan 5 n", "|y| lessthan |y| n", *ITSELF),
+    "a text and itself": ("|z| greaterthan 5 n", "|y| notequalto |y| a", *ITSELF),
+}
+"""A condition, one inside of it, the rule that speaks of that, and how."""
+
+
+@pytest.mark.parametrize("name", DECIDED)
+def test_a_condition_that_others_decide_is_found(name: str) -> None:
+    outer, inner, rule, how = DECIDED[name]
+    text = f"#IF1 {outer}\n#IF2 {inner}\nG0 X1\n#ENDIF2\n#ENDIF1\n"
+    (found,) = (each for each in proving(analysed(text, "metagcode")) if each is not None)
+    assert (found.rule, found.place.line) == (f"metagcode.{rule}", 1)
+    assert how in found.message
+    assert found.severity is (Severity.INFO if how == ALWAYS[1] else Severity.WARNING)
+
+
+@pytest.mark.parametrize(
+    ("outer", "inner", "why"),
+    [
+        ("|m| equalto Steel a", "|m| equalto Brass a", "`|m|` is `Steel`"),
+        ("|m| notequalto Steel a", "|m| equalto Steel a", "`|m|` is not `Steel`"),
+        ("|m| greaterthan Steel a", "|m| lessthan Brass a", "`|m|` is greater than `Steel`"),
+        ("|m| lessthan Brass a", "|m| greaterthan Steel a", "`|m|` is less than `Brass`"),
+        ("|a| lessthan |b| n", "|a| equalto |b| n", "`|a|` is less than `|b|`"),
+    ],
+)
+def test_the_chain_tells_texts_and_orders(outer: str, inner: str, why: str) -> None:
+    text = f"#IF1 {outer}\n#IF2 {inner}\nG0 X1\n#ENDIF2\n#ENDIF1\n"
+    (found,) = (each for each in proving(analysed(text, "metagcode")) if each is not None)
+    assert (0, f"from here on {why}") in [(each.place.line, each.message) for each in found.related]
+
+
+def test_what_two_variables_are_to_each_other_holds_again_behind_a_loop() -> None:
+    text = "#IF1 |a| lessthan |b| n\n#LOOP1 |b| 2 c\nG1 Z|b|\n#ENDLOOP1\n#IF2 |a| greaterthan |b| n\nG0\n#ENDIF2\n#ENDIF1\n"
+    (found,) = (each for each in proving(analysed(text, "metagcode")) if each is not None)
+    assert (found.rule, found.place.line) == ("metagcode.if-contradiction", 4)
+
+
+def test_the_longest_of_several_counters_is_too_long() -> None:
+    text = "#IF1 |x| greaterthan 10000 n\n#LOOP1 |y| 5 c |x| 0.01 c\nG1 X|x| Y|y|\n#ENDLOOP1\n#ENDIF1\n"
+    (found,) = (each for each in proving(analysed(text, "metagcode")) if each is not None)
+    assert (found.rule, found.place.line, found.place.col) == ("metagcode.limit", 1, 15)
 
 
 SNIPPET = {"Snippets/cut.txt": "#LOOP1 |d| |s| c\nG1 Z|d|\n#ENDLOOP1\n"}
@@ -78,6 +151,16 @@ def test_a_wrong_range_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
             _watched(seed)
 
 
+def test_a_wrong_order_of_texts_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With texts that come before another one taken for those behind it, runs go where nothing should come."""
+    from deburr.values.metagcode import orders
+
+    monkeypatch.setattr(orders, "_BEHIND", orders._BEFORE)
+    with pytest.raises(AssertionError, match="seed"):
+        for seed in range(90_000, 92_000):
+            _watched(seed)
+
+
 def _program(rng: Random) -> str:
     return "\n".join(_block(rng, 3)) + "\n"
 
@@ -107,7 +190,7 @@ def _watched(seed: int) -> int:
     found = known(analysis)
     if found is None:
         return 0
-    watch, seen = _Watch(found), 0
+    watch, seen = _Watch(found, _ways(analysis)), 0
     with watch.watching():
         for _ in range(3):
             define = {each: rng.choice(NUMBERS) for each in NAMES}
@@ -120,11 +203,26 @@ def _watched(seed: int) -> int:
     return seen
 
 
+def _ways(analysis: Analysis) -> dict[int, set[bool]]:
+    program = values_of(analysis)
+    assert program is not None
+    (routine,), (solved,) = program.routines.values(), program.solved.values()
+    solution = solved.solution
+    asking = [at for at, node in routine.graph.nodes.items() if at in solution.before and len(node.used) > 0]
+    return {
+        routine.rows[routine.graph.nodes[at].line]: {to == at + 1 for to in solution.targets(at)}
+        for at in asking
+        if solution.targets(at)
+    }
+
+
 class _Watch:
     """Looks at the variables before each directive that is followed."""
 
-    def __init__(self, found: Known) -> None:
+    def __init__(self, found: Known, ways: dict[int, set[bool]]) -> None:
+        """``ways``: of the directives, whether what stands in their blocks may come next, and what stands behind."""
         self._known = found
+        self._ways = ways
         self.wrong: list[tuple[object, ...]] = []
         self.seen = 0
 
@@ -141,6 +239,8 @@ class _Watch:
                 return followed(run, at, step)
             self._look(step.row, run._values)
             behind = followed(run, at, step)
+            if (behind == at + 1) not in self._ways.get(step.row, (True, False)):
+                self.wrong.append((step.row, "goes a way that is never taken"))
             if step.row in self._known.stopping:
                 self.wrong.append((step.row, "is passed"))
             return behind
@@ -159,6 +259,20 @@ class _Watch:
                 got = number(values[key].strip(" \t"))
                 if not (value.wild if got is None else _holds(value, got)):
                     self.wrong.append((row, key, value, values[key]))
+            elif isinstance(key, Order):
+                self.seen += 1
+                if not value.has(_order(key, values)):
+                    self.wrong.append((row, key, value))
+
+
+def _order(key: Order, values: dict[str, str]) -> float:
+    """Whether the first of two is less, the same or greater in a run: the reference compares numbers as decimals, and texts by code points."""
+    one, two = values[key.name].strip(" \t"), key.other if key.is_text else values[key.other].strip(" \t")
+    if not key.numeric:
+        return float((one > two) - (one < two))
+    left, right = number(one), number(two)
+    assert left is not None and right is not None, "behind a comparison of numbers both are some"
+    return float((left > right) - (left < right))
 
 
 def _holds(value: Value, got: Decimal) -> bool:

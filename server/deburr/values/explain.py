@@ -43,7 +43,9 @@ class Explanation:
         if solved is None:
             return islice(self._callers(routine, "called here, where nothing comes"), _SHOWN)
         solution = solved.solution
-        used = sorted((key for key in routine.graph.nodes[node].used if key is not None), key=str)
+        known = solution.before[node]
+        used = [key for key in routine.graph.nodes[node].used if key is not None]
+        used = sorted((key for key in used if key in known or not isinstance(key, Telling)), key=str)
         found = dict.fromkeys(islice(self._led(routine, solution, node, used, _DEPTH), 4 * _SHOWN))
         return islice(found, _SHOWN)
 
@@ -96,7 +98,7 @@ class Explanation:
                     continue
                 old = solution.before[source].get(key, ANY)
                 if place.condition is not None and key in place.used and value != old and source not in seen:
-                    yield place, f"from here on `{self._written(key)}`{_holds(said(value)) or ' is restricted'}"
+                    yield place, self._learned(key, value)
                 if source not in seen:
                     seen.add(source)
                     waiting.append(source)
@@ -110,6 +112,12 @@ class Explanation:
         return (
             key.told(value) if isinstance(key, Telling) else f"`{self._written(key)}` is set here{_holds(said(value))}"
         )
+
+    def _learned(self, key: Hashable, value: Value) -> str:
+        if isinstance(key, Telling):
+            return key.told(value)
+        known = _holds(said(value)) or (" is no number" if value.empty and value.wild else " is restricted")
+        return f"from here on `{self._written(key)}`{known}"
 
     def _calls(self, routine: Routine, solution: Solution, key: Hashable) -> Iterator[Related]:
         """The calls that give a routine its arguments."""

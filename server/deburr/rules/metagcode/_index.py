@@ -10,6 +10,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('block_mismatch', 3, True, False, False, 'Whole', {}, False),
     ('block_unclosed', 3, True, False, False, 'Whole', {}, False),
     ('block_unopened', 3, True, False, False, 'Whole', {}, False),
+    ('condition_constant', 2, True, False, False, 'Proven', {}, False),
     ('cut_without_feed', 2, True, False, False, 'Moved', {'needs': 'limits', 'unless_said': True}, False),
     ('directive_not_first', 2, True, False, False, 'Nodes', {'kinds': ('embedded',), 'by_shape': True}, False),
     ('double_sign', 3, True, False, True, 'Ran', {}, False),

@@ -30,11 +30,12 @@ _MIRRORED = {"greaterthan": "lessthan", "lessthan": "greaterthan", "equalto": "e
 
 
 class Item(NamedTuple):
-    """A value on a directive's line: the name of its variable or what the number is that stands there, and its columns."""
+    """A value on a directive's line: the name of its variable or what the number is that stands there, its columns, and how it is written."""
 
     name: str | None
     literal: Value
     span: Span
+    said: str
 
     def of(self, env: Env) -> Value:
         """What it stands for."""
@@ -45,8 +46,8 @@ def item_of(line: Taken, token: Token) -> Item:
     """The item that a token is."""
     said, span = line.node.text[token.start : token.end], Span(token.start, token.end)
     if token.kind == "VARIABLE":
-        return Item(name(said), WILD, span)
-    return Item(None, _literal(said), span)
+        return Item(name(said), WILD, span, said)
+    return Item(None, _literal(said), span, said)
 
 
 def _literal(said: str) -> Value:
@@ -70,17 +71,23 @@ def under(env: Env, left: Item, word: str, right: Item, holds: bool) -> Env | No
     found = dict(env)
     for item, relation, other in ((left, word, right), (right, _MIRRORED[word], left)):
         if item.name is not None:
-            value = _kept(item.of(found), relation if holds else _OPPOSITE[relation], finite(other.of(found)))
+            value = kept(item.of(found), relation, finite(other.of(found)), holds)
             if value.impossible:
                 return None
             found[item.name] = value
     return found
 
 
-def _kept(value: Value, relation: str, other: Value) -> Value:
+def mirrored(word: str) -> str:
+    """What the right side is to the left one."""
+    return _MIRRORED[word]
+
+
+def kept(value: Value, relation: str, other: Value, holds: bool) -> Value:
+    """The values of a side that stand in a relation to one of the other's, or do not."""
     if other.empty:
         return value
-    match relation:
+    match relation if holds else _OPPOSITE[relation]:
         case "greaterthan":
             found = above(value, other.low, False)
             return without_zero(found) if other.low == 0 else found

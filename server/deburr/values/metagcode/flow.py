@@ -9,27 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.values.domain import (
-    NO,
-    WILD,
-    Value,
-    may_be_zero,
-    truth,
-    without_zero,
-)
-from deburr.values.graph import STOP, Calls, Dead, Env, Flows, Graph, Node, Proof
+from deburr.values.domain import NO, WILD, Value, may_be_zero, without_zero
+from deburr.values.graph import STOP, Calls, Env, Flows, Graph, Key, Node, Proof
 from deburr.values.kept import Kept
-from deburr.values.metagcode.conditions import (
-    COMPARED,
-    Item,
-    as_number,
-    finite,
-    is_negative,
-    item_of,
-    spelled_alike,
-    under,
-)
+from deburr.values.metagcode.asking import asked, with_all_orders
+from deburr.values.metagcode.conditions import COMPARED, Item, as_number, is_negative, item_of
 from deburr.values.metagcode.lines import SIGNED, Taken, Unseen, taken
+from deburr.values.metagcode.orders import Order
 from deburr.values.program import Routine
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.metagcode.forms import condition, groups, is_numeric
@@ -88,7 +74,7 @@ def _opens(line: Taken) -> bool:
 
 def _graph(lines: Sequence[Taken], partners: dict[int, int], main: str) -> Graph:
     nodes = {at: _node(at, line, partners, len(lines), line.file == main) for at, line in enumerate(lines)}
-    return Graph(nodes, {}, (), frozenset(), None, frozenset(), frozenset(), frozenset())
+    return Graph(with_all_orders(nodes), {}, (), frozenset(), None, frozenset(), frozenset(), frozenset())
 
 
 def _node(at: int, line: Taken, partners: dict[int, int], count: int, own: bool) -> Node:
@@ -101,12 +87,12 @@ def _node(at: int, line: Taken, partners: dict[int, int], count: int, own: bool)
     other = partners[at] + 1
     beyond = other if other < count else STOP
     for part in line.node.find("condition"):
-        asked = condition(part)
-        left, right = item_of(line, asked.left), item_of(line, asked.right)
-        word = line.node.text[asked.operator.start : asked.operator.end].lower()
-        if word in COMPARED and asked.type.kind == "TYPE":
-            numeric = is_numeric(line.node.text[asked.type.start : asked.type.end])
-            return _asked(at, left, word, right, numeric, (behind, beyond), own)
+        said = condition(part)
+        left, right = item_of(line, said.left), item_of(line, said.right)
+        word = line.node.text[said.operator.start : said.operator.end].lower()
+        if word in COMPARED and said.type.kind == "TYPE":
+            numeric = is_numeric(line.node.text[said.type.start : said.type.end])
+            return asked(at, left, word, right, numeric, (behind, beyond), own)
     for part in line.node.find("header"):
         counters = [
             Counter(item_of(line, group.counter), item_of(line, group.step), line.node.text[group.mode.start] in "rR")
@@ -118,38 +104,19 @@ def _node(at: int, line: Taken, partners: dict[int, int], count: int, own: bool)
     return Node(at, lambda env, calls: ((behind, env), (beyond, env)), condition=bracket.span)
 
 
-def _asked(at: int, left: Item, word: str, right: Item, numeric: bool, ways: tuple[int, int], own: bool) -> Node:
-    then, otherwise = ways
-    span = Span(left.span.start, right.span.end)
-    used = frozenset(item.name for item in (left, right) if item.name is not None)
-
-    def decided(env: Env, calls: Calls) -> Flows:
-        found: Env = {item.name: as_number(item, env) for item in (left, right) if item.name is not None}
-        env = {**env, **found}
-        one, two = finite(left.of(env)), finite(right.of(env))
-        known = truth(COMPARED[word](one, two))
-        flows: list[tuple[int, Env]] = []
-        for to, holds in ((then, True), (otherwise, False)):
-            learned = under(env, left, word, right, holds) if known in (None, holds) else None
-            if learned is not None:
-                flows.append((to, learned))
-        return flows
-
-    def compared(env: Env, calls: Calls) -> Flows:
-        learned = spelled_alike(env, left, right) if word == "equalto" else env
-        return ((otherwise, env),) if learned is None else ((then, learned), (otherwise, env))
-
-    message = "what the conditions around it say contradicts this one: its lines are never generated"
-    dead = (Dead(then, "if-contradiction", span, message),) if own and used and then != otherwise else ()
-    return Node(at, decided if numeric else compared, used, condition=span, dead=dead)
-
-
 class Counter(NamedTuple):
     """A variable of a loop with its maxStep."""
 
     total: Item
     step: Item
     relative: bool
+
+
+class Outside(NamedTuple):
+    """A key for what holds outside of a loop meanwhile. ``of``: the variable, or the order in which it stands."""
+
+    head: int
+    of: Key
 
 
 def _loop(at: int, counters: Sequence[Counter], span: Span, behind: int, beyond: int) -> Node:
@@ -166,16 +133,17 @@ def _loop(at: int, counters: Sequence[Counter], span: Span, behind: int, beyond:
             if counter.step.name is not None:
                 env[counter.step.name] = without_zero(counter.step.of(env))
         totals = [counter.total.of(env) for counter in counters]
-        if len(counters) == 1:
-            _judge_length(counters[0], env)
+        for counter in counters:
+            _judge_length(counter, env)
         if all(total == NO for total in totals):
             first = counters[0].total
             message = f"`|{first.name}|` can only be 0 here, so the loop has no pass and its lines are left out"
             remarks.append(Proof("loop-zero", first.span, message))
             return ((beyond, env),)
-        inside = dict(env)
-        for counter, total in zip(counters, totals):
-            inside[at, counter.total.name] = total
+        counted = {counter.total.name for counter in counters}
+        inside = {key: value for key, value in env.items() if not (isinstance(key, Order) and key.is_of(counted))}
+        inside.update((Outside(at, key), value) for key, value in env.items() if key not in inside)
+        inside.update((Outside(at, counter.total.name), total) for counter, total in zip(counters, totals))
         for counter, total in zip(counters, totals):
             inside[counter.total.name] = _counted(total, counter, env)
         skipped = ((beyond, env),) if all(map(may_be_zero, totals)) else ()
@@ -223,13 +191,21 @@ def _closed(head: int, behind: int) -> Callable[[Env, Calls], Flows]:
     """The end of a block: behind a loop its variables are again what they were."""
 
     def restored(env: Env, calls: Calls) -> Flows:
-        saved = {key[1]: value for key, value in env.items() if isinstance(key, tuple) and key[0] == head}
+        saved = {key.of: value for key, value in env.items() if isinstance(key, Outside) and key.head == head}
         if not saved:
             return ((behind, env),)
-        left = {key: value for key, value in env.items() if not (isinstance(key, tuple) and key[0] == head)}
+        counted = {name for name in saved if isinstance(name, str)}
+        left = {key: value for key, value in env.items() if not _is_inside(key, head, counted)}
         return ((behind, {**left, **saved}),)
 
     return restored
+
+
+def _is_inside(key: Key, head: int, counted: set[str]) -> bool:
+    """Whether something is known in a loop only."""
+    if isinstance(key, Order):
+        return key.is_of(counted)
+    return isinstance(key, Outside) and key.head == head
 
 
 def _words(at: int, line: Taken, behind: int) -> Node:
