@@ -68,6 +68,7 @@ def test_definition(dialect: str, text: str, others: dict[str, str], found: list
         ),
         ("cgt", "@LINE\n#EVAL(#V1=#V1+1)#V<|>1\n@\n", {}, ["main:2:V1", "main:2:V1", "main:2:V1"]),
         ("z32", "(P)\nN010 G1\n!GON1<|>0!\n", {}, ["main:2:010", "main:3:10"]),
+        ("rs274", "#<<|>a>=1\nG1 X#<a> Y[ Z#<a>\n", {}, ["main:1:a", "main:2:a", "main:2:a"]),
         ("z32", "(P)\n!PAL[3]=1!\nX<PAL[<|>3]>\n", {}, ["main:2:3", "main:3:3"]),
     ],
 )

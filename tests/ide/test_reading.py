@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import pytest
 
+from deburr.analysis import Analysis
 from deburr.ide.folding import folds
 from deburr.ide.hover import hover
 from deburr.ide.outline import Part, outline
@@ -36,6 +37,30 @@ def test_hover(case: Hovered) -> None:
 def test_nothing_is_said_of_nothing() -> None:
     view, pos = at_cursor("rs274", "G1 X1 (comm<|>ent)\n")
     assert hover(view, pos) is None
+
+
+@pytest.mark.parametrize(
+    ("dialect", "text", "said"),
+    [
+        ("rs274", "#<a>=1\nG1 X#<<|>a> Y[ Z#<a> F#2\n", "**`#<a>`**"),
+        ("rs274", "#<a>=1\nG1 X#<a> Y[ Z#<<|>a> F#2\n", "**`#<a>`**"),
+        ("rs274", "#<a>=1\nG1 X#<a> Y[ Z#<a> F#<|>2\n", "**`#2`**"),
+        ("rs274", "G1 ?? X1 G9<|>1\n", "**`G91`**"),
+        ("metagcode", "X|<|>a| Y|b\n", "**`|a|`**"),
+        ("metagcode", "#LOOP1 |a| x |<|>b|\n", "**`|b|`**"),
+        ("cgt", "@LINE\n#IF(#V1>3) #V2 #XP<|>OS\n@\n", "**`#XPOS`**"),
+        ("cgt", "@LINE\n#IF(#V<|>1>3) #V2 #XPOS\n@\n", "**`#V1`**"),
+        ("z32", "(P)\nX<HA+> Y<H<|>B> Z<HC>\n", "**`HB`**"),
+        ("z32", "(P)\n!HA=1; FOO; HB=H<|>C!\n", "**`HC`**"),
+    ],
+)
+def test_names_before_and_behind_a_fault_are_known(dialect: str, text: str, said: str) -> None:
+    view, pos = at_cursor(dialect, text)
+    assert Analysis(view.document, view.ruleset, view.file, view.host).line_findings(pos.line)
+    found = hover(view, pos)
+    assert found is not None and found.text.startswith(said)
+    line = view.document.line(pos.line)
+    assert line[found.span.start : found.span.end] == said.strip("*`") and found.span.start <= pos.col <= found.span.end
 
 
 def tree(parts: list[Part]) -> list[object]:

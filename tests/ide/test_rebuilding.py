@@ -206,11 +206,57 @@ def test_a_user_parameter_goes_where_it_is_used() -> None:
         ("z32", "(P)\n!IF X>1; GON9!\n!H<|>A=5!\nN9 G0\nG1 X<HA> F100\nM30\n", "jumps may pass"),
         ("z32", "(P)\n!IF X>1; H<|>A=5!\nG1 X<HA> F100\nM30\n", "not set to a number"),
         ("metagcode", "X|<|>a|\n", "it is not set"),
-        ("cgt", "@START\n#EVAL(#V<|>1=5)\n#V1\n@\n", "not set to a number"),
+        ("cgt", "@START\n#EVAL(#V<|>1=5)\n#V1\n@\n", "printed in its format"),
+        ("cgt", "@START\n#EVAL(#V<|>1=5)\n#FMT(#V1,D3.4)\n@\n", "printed in its format"),
+        ("cgt", "@START\n#EVAL(#V<|>1=5+1)\n#EVAL(#V2=#V1)\n@\n", "not set to a number"),
+        ("cgt", "@START\n<#SPEED#EVAL(#V<|>1=5)>\n#EVAL(#V2=#V1)\n@\n", "5 is not proven of it"),
+        ("cgt", "@LINE\n#EVAL(#V<|>1=5)\n@\n@RAP\n#EVAL(#V2=#V1)\n@\n", "5 is not proven of it"),
     ],
 )
 def test_what_is_no_constant_is_left_alone(dialect: str, text: str, why: str) -> None:
     refused(dialect, "inline", text, why)
+
+
+VALUES = {"variables": "part.vars"}
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("X|De<|>pth| (|Depth|) Z|n|\n", "X15 (15) Z|n|\n"),
+        ("#IF1 |De<|>pth| greaterthan 3 n\nM8\n#ENDIF1\n", "#IF1 15 greaterthan 3 n\nM8\n#ENDIF1\n"),
+        ("#LOOP1 |n| |De<|>pth| c\nZ|n|\n#ENDLOOP1\n", "#LOOP1 |n| 15 c\nZ|n|\n#ENDLOOP1\n"),
+        ("(|M<|>at|)\n", "(Mild Steel)\n"),
+    ],
+)
+def test_a_configured_value_in_the_place_of_its_name(before: str, after: str) -> None:
+    view, pos = at_cursor("metagcode", before, VALUES, part_vars="Depth=15\nn=2\nMat=Mild Steel\n")
+    assert applied(view.document, rebuilt(view, "inline", pos, pos).edits).text == after
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("#IF1 |M<|>at| equalto Steel a\n#ENDIF1\n", "no single word"),
+        ("Z|n|\n#LOOP1 |n<|>| 1 c\nZ|n|\n#ENDLOOP1\n", "a loop counts it in line 2"),
+        ("Z|q<|>|\n", "it is not set"),
+    ],
+)
+def test_a_configured_value_that_cannot_stand_there(text: str, why: str) -> None:
+    view, pos = at_cursor("metagcode", text, VALUES, part_vars="n=2\nMat=Mild Steel\n")
+    with pytest.raises(Cannot, match=why):
+        rebuilt(view, "inline", pos, pos)
+
+
+def test_a_word_that_is_only_computed_with_is_a_constant_if_that_is_proven() -> None:
+    start = "@START\n#EVAL(#a=-2.5)\n#EVAL(#b=1)\n@\n@LINE\nX#XPOS\n#EVAL(#V2=#<|>a*2)\n"
+    more = "#IF(#b>#a)<Y#YPOS>\n#REPEAT(#b)<Z#ZPOS>\n@\n"
+    rest = more.replace("#b>#a", "#b>(-2.5)")
+    without = "@START\n#EVAL(#b=1)\n@\n@LINE\nX#XPOS\n#EVAL(#V2=(-2.5)*2)\n"
+    check("cgt", "inline", f"@DECLARE\n#DEC #a,#b\n@\n{start}{more}", f"@DECLARE\n#DEC #b\n@\n{without}{rest}")
+    check("cgt", "inline", f"@DECLARE\n#DEC #b, #a\n@\n{start}{more}", f"@DECLARE\n#DEC #b\n@\n{without}{rest}")
+    alone = f"@DECLARE\n#DEC #a\n#DEC #b\n@\n{start}{more}"
+    check("cgt", "inline", alone, f"@DECLARE\n#DEC #b\n@\n{without}{rest}")
 
 
 def test_a_shared_name_that_another_file_uses_is_left_alone() -> None:
@@ -282,6 +328,24 @@ def test_lines_become_a_section() -> None:
     )
 
 
+def test_blocks_become_a_range_behind_the_end_of_their_program() -> None:
+    check(
+        "z32",
+        "extract",
+        "(P)\nN15 G0 X1 F100\n  <|>G1 X2\n  G1 Y2\n<|>G0 Z5\nM30\n",
+        "(P)\nN15 G0 X1 F100\n  !GON20-N30!\nG0 Z5\nM30\nN20\n  G1 X2\n  G1 Y2\nN30\n",
+    )
+
+
+def test_a_range_stays_in_the_section_of_its_blocks() -> None:
+    check(
+        "z32",
+        "extract",
+        "(P)\n!GOP5!\nM30\n:5\n<|>G0 X1\n<|>G26\n:6\nG26\n",
+        "(P)\n!GOP5!\nM30\n:5\n!GON10-N20!\nG26\nN10\nG0 X1\nN20\n:6\nG26\n",
+    )
+
+
 @pytest.mark.parametrize(
     ("dialect", "text", "why"),
     [
@@ -296,7 +360,15 @@ def test_lines_become_a_section() -> None:
         ("rs274", "G21 G90 G17\nM2\n<|>G0 X1\n<|>", "never read"),
         ("rs274", "G21 G90 G17\n<|>\n<|>M2\n", "there is nothing"),
         ("metagcode", "<|>#IF1 1 equalto 1 n\n<|>#ENDIF1\n", "only a part of a block"),
-        ("z32", "(P)\n<|>G0 X1\n<|>M30\n", "not this file's alone"),
+        ("z32", "(P)\n<|>G0 X1\n<|>G0 X2\n", "does not end in M2"),
+        ("z32", "(P)\n<|>G0 X1\n<|>!IF X>1; M30!\nM3\n", "does not end in M2"),
+        ("z32", "(P)\n<|>G0 X1\nM30\n<|>", "end the program"),
+        ("z32", "(P)\n!GOP5!\n<|>M30\n:5\n<|>G26\n", "end the program"),
+        ("z32", "TITLE\n<|>MORE\n<|>%\nG0 X1\nM30\n", "never read"),
+        ("z32", "(P)\n<|>!IF X>1; GON9!\nG0 X1\n<|>N9 G0 X2\nM30\n", "leads out of the lines or into"),
+        ("z32", "(P)\n<|>N9 G0 X1\n<|>!IF X<1; GON9!\nM30\n", "leads out of the lines or into"),
+        ("z32", "(P)\n<|>G0 X1\n<|>!GON<HA>!\nM30\n", "computed"),
+        ("z32", "(P)\n<|>G0 X1\n<|>N999999990\nM30\n", "no higher number"),
         ("cgt", "@LINE\n<|>#EXIT\n<|>@\n", "would leave the new section"),
         ("cgt", "@LINE\n<|>M8\n@\n<|>@RAP\n@\n", "not whole lines of one section"),
     ],
@@ -317,7 +389,7 @@ def test_what_is_unknown_is_not_done() -> None:
         ("rs274", "o<|><a> call\n", []),
         ("rs274", "<|>G0 X1\n<|>", ["Extract to a subprogram"]),
         ("z32", "N1<|>0 !GON20!\n", ["Renumber all lines"]),
-        ("z32", "<|>G0 X1\n<|>", []),
+        ("z32", "<|>G0 X1\n<|>", ["Extract to a range of blocks"]),
         ("metagcode", "#IF<|>1 |a| equalto 1 n\n", ["Renumber all blocks"]),
         ("metagcode", "<|>G0\nG1<|>\n", ["Extract to a snippet"]),
         ("cgt", "@LINE\n<|>M8\n<|>@\n", ["Extract to a section"]),

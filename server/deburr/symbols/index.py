@@ -10,11 +10,12 @@ from operator import attrgetter, itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.symbols import SOUGHT, Act, Language, Mention, Sort, Symbol, language_of
+from deburr_grammar.behind import rests
 from deburr_grammar.dialect import Bracket, Reading, Role
 
 if TYPE_CHECKING:
     from deburr_grammar.document import Document, Piece
-    from deburr_grammar.line import LineNode, Shape
+    from deburr_grammar.line import Facts, LineNode, Shape
 
 Region = tuple[str, str | None] | None
 """The region that a line is in: its kind and its label; None: in none."""
@@ -244,7 +245,7 @@ class _Index:
 
     def _mentions(self, piece: Piece) -> Iterator[tuple[int, Mention]]:
         naming = self._language.NAMING
-        for index, _, _ in piece.where(lambda reading, shape: not shape.facts(reading).kinds.isdisjoint(naming)):
+        for index, _, _ in piece.where(lambda reading, shape: _names_any(shape.facts(reading), naming)):
             for mention in _of_line(piece.node(index), self._language, self._names):
                 yield index, mention
 
@@ -279,4 +280,16 @@ def _behind(state: Region, bracket: Bracket) -> Region:
 def _of_line(line: LineNode, language: Language, names: Hashable) -> list[Mention]:
     if line.reading.start is None:
         return []
-    return sorted(language.mentions(line, names), key=lambda each: each.span)
+    found = [*language.mentions(line, names)]
+    for rest in rests(line):
+        known = [each.span for each in found]
+        more = language.mentions(rest, names)
+        found += (
+            each for each in more if not any(each.span.start < end and start < each.span.end for start, end in known)
+        )
+    return sorted(found, key=lambda each: each.span)
+
+
+def _names_any(facts: Facts, naming: frozenset[str]) -> bool:
+    """Whether a line may name something that is looked for; what stands behind a fault is not known yet."""
+    return bool(facts.problems) or not facts.kinds.isdisjoint(naming)

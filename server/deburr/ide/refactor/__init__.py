@@ -64,6 +64,8 @@ class Moves(Protocol):
     BLOCKS: Numbering | None
     EXTRACTED: str
     """What lines become that are extracted."""
+    IN_ORDER: bool
+    """Whether lines run from the first on, so that what is set above is set before; otherwise only what is proven of values says so."""
     MISSING: tuple[str, ...]
     """The rules, without the language, that miss a file."""
 
@@ -78,6 +80,9 @@ class Moves(Protocol):
 
     def constant(self, line: LineNode, mention: Mention) -> Constant | None:
         """The setting that a mention is, if it is one to a number and runs whenever its line is reached."""
+
+    def undeclared(self, line: LineNode, mention: Mention) -> Span:
+        """The stretch of a declaration that declares what a mention defines: all of it, if it declares nothing else."""
 
     def inlined(self, value: str, line: LineNode, mention: Mention) -> str:
         """A number in the place of a variable; Cannot where it would mean something else."""

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 from deburr.ide.refactor import Cannot, Constant, Extraction, NewFile, Numbering, balanced, fresh_name
 from deburr.symbols import Mention, Sort, Symbol
 from deburr.symbols.index import all_symbols, region
+from deburr_grammar.text import Span
+from deburr_grammar.tree import Node, walk
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
@@ -17,7 +19,26 @@ if TYPE_CHECKING:
 LINES: Numbering | None = None
 BLOCKS: Numbering | None = None
 EXTRACTED = "section"
+IN_ORDER = False
 MISSING: tuple[str, ...] = ()
+_COMPUTING = frozenset(
+    (
+        "eval",
+        "test",
+        "repeat",
+        "sum",
+        "product",
+        "quotient",
+        "power",
+        "signed",
+        "group",
+        "function",
+        "block",
+        "returned",
+        "lookup",
+    )
+)
+_LITERAL = re.compile(r"[ \t]*=[ \t]*(-?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))[ \t]*\)")
 _LEAVES = re.compile(r"(?i)#(?:EXITC?|GOTO)\b")
 
 
@@ -37,13 +58,34 @@ def block_numbers(line: LineNode) -> Iterator[Mention]:
 
 
 def constant(line: LineNode, mention: Mention) -> Constant | None:
-    """A word is output in its format, which a number in its place would not be."""
+    """`#EVAL(#V1=5)` outside of brackets of its line."""
+    for part in line.find("eval"):
+        found = _LITERAL.match(line.text, mention.span.end)
+        if part.start < mention.span.start < part.end and found is not None and found.end() == part.end:
+            return Constant(found[1], Span(part.start, part.end), True)
     return None
 
 
+def undeclared(line: LineNode, mention: Mention) -> Span:
+    """The word with its comma."""
+    found = next(each for each in line.find("declaration") if each.start < mention.span.start < each.end)
+    words = [each for each in found.children if each.kind == "WORD"]
+    at = next(number for number, each in enumerate(words) if each.start == mention.span.start)
+    if len(words) == 1:
+        return Span(found.start, found.end)
+    return Span(words[at - 1].end, words[at].end) if at else Span(words[0].start, words[1].start)
+
+
 def inlined(value: str, line: LineNode, mention: Mention) -> str:
-    """Nothing is."""
-    raise Cannot("a word is output in its format")
+    """A number where the word is computed with; where it is printed, it is printed in its format, and a command takes no number."""
+    around = [part for part in walk(line.tree) if isinstance(part, Node) and _holds(part, mention)]
+    if around[-1].kind not in _COMPUTING:
+        raise Cannot("a word is printed in its format, and a command wants its name")
+    return f"({value})" if value.startswith("-") else value
+
+
+def _holds(part: Node, mention: Mention) -> bool:
+    return any(each.kind == "WORD" and each.start == mention.span.start for each in part.children)
 
 
 def extracted(view: View, first: int, last: int) -> Extraction:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 LINES: Numbering | None = None
 BLOCKS: Numbering | None = Numbering(1, 1, 999_999_999)
 EXTRACTED = "snippet"
+IN_ORDER = True
 MISSING: tuple[str, ...] = ("file-missing",)
 
 
@@ -44,9 +46,16 @@ def constant(line: LineNode, mention: Mention) -> Constant | None:
     return None
 
 
+def undeclared(line: LineNode, mention: Mention) -> Span:
+    """Nothing is declared."""
+    return mention.span
+
+
 def inlined(value: str, line: LineNode, mention: Mention) -> str:
-    """Nothing is."""
-    raise Cannot("variables get their values elsewhere")
+    """The text itself; one that is an operand must be one word."""
+    if next(line.find("if", "loop"), None) is not None and not re.fullmatch(r"[^ \t|]+", value):
+        raise Cannot("its value is no single word, as an operand must be")
+    return value
 
 
 def extracted(view: View, first: int, last: int) -> Extraction:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 LINES = Numbering(10, 10, 99_999)
 BLOCKS = Numbering(100, 10, 99_999)
 EXTRACTED = "subprogram"
+IN_ORDER = True
 MISSING: tuple[str, ...] = ("sub-unknown",)
 _ARGUMENTS = 30
 _LITERAL = re.compile(r"[ \t]*=[ \t]*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))(?=[ \t]*(?:$|[(;#]))")
@@ -62,6 +63,11 @@ def constant(line: LineNode, mention: Mention) -> Constant | None:
         return None
     name = mention.symbol.name
     return Constant(found[1], Span(mention.span.start, found.end()), not name.isdigit() or int(name) <= _ARGUMENTS)
+
+
+def undeclared(line: LineNode, mention: Mention) -> Span:
+    """Nothing is declared."""
+    return mention.span
 
 
 def inlined(value: str, line: LineNode, mention: Mention) -> str:

@@ -8,17 +8,22 @@ from typing import TYPE_CHECKING
 
 from deburr.ide.refactor import Cannot, Constant, Extraction, NewFile, Numbering
 from deburr.includes import z32 as stores
-from deburr.symbols import Mention, Sort, Symbol, language_of
+from deburr.symbols import Act, Mention, Sort, Symbol, language_of
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
+    from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
 
-LINES: Numbering | None = Numbering(10, 10, 999_999_999)
+_LARGEST, _STEP = 999_999_999, 10
+LINES: Numbering | None = Numbering(_STEP, _STEP, _LARGEST)
 BLOCKS: Numbering | None = None
-EXTRACTED = ""
+EXTRACTED = "range of blocks"
+IN_ORDER = True
 MISSING: tuple[str, ...] = ("file-missing",)
+_ENDS = re.compile(r"(?i)^[ \t]*(?:N[ \t]*[0-9.,]+[ \t]*)?(?:M[ \t]*(?:0*2|30)|G[ \t]*26)(?![0-9.])")
+_LEAVES = re.compile(r"(?i)\bM[ \t]*(?:0*2|30)(?![0-9.])|G[ \t]*2[56](?![0-9.])|^[ \t]*[:%]")
 _LITERAL = re.compile(r"[ \t]*(=?)[ \t]*([-+]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+))[ \t]*")
 
 
@@ -55,14 +60,55 @@ def constant(line: LineNode, mention: Mention) -> Constant | None:
     return Constant(value, Span(mention.span.start, found.end()), True) if alone else None
 
 
+def undeclared(line: LineNode, mention: Mention) -> Span:
+    """Nothing is declared."""
+    return mention.span
+
+
 def inlined(value: str, line: LineNode, mention: Mention) -> str:
     """A signed number in parentheses; as the value of a word it stays in its brackets."""
     return f"({value})" if value.startswith("-") else value
 
 
 def extracted(view: View, first: int, last: int) -> Extraction:
-    """Sections are numbers that files share, so no new one is made."""
-    raise Cannot("the numbers of programs are not this file's alone")
+    """Blocks behind the end of their program, between two numbers of their own, to which `GON` goes and from which it comes back."""
+    document = view.document
+    start, stop = _program(document, first)
+    if document.node(first).reading.start is None:
+        raise Cannot("these lines are never read")
+    if last >= stop or any(_LEAVES.search(document.line(at)) for at in range(first, last + 1)):
+        raise Cannot("the lines end the program, change its axes or belong to more than one program")
+    end = next((at for at in range(stop - 1, last, -1) if document.line(at).strip()), last)
+    if not _ENDS.match(document.line(end)):
+        raise Cannot("the program does not end in M2, M30 or G26, so it would run on into blocks behind it")
+    numbers = [(at, each) for at in range(start, stop) for each in line_numbers(document.node(at))]
+    _refuse(numbers, first, last)
+    highest = max((int(float(each.symbol.name)) for _, each in numbers if each.symbol.name), default=0)
+    begin = highest - highest % _STEP + _STEP
+    if begin + _STEP > _LARGEST:
+        raise Cannot("there is no higher number for a block")
+    text = document.line(first)
+    indent = text[: len(text) - len(text.lstrip())]
+    lines = [document.line(at) for at in range(first, last + 1)]
+    call = f"{indent}!GON{begin}-N{begin + _STEP}!"
+    return Extraction(call, end + 1, [f"N{begin}", *lines, f"N{begin + _STEP}"])
+
+
+def _program(document: Document, line: int) -> tuple[int, int]:
+    """The first line of the section that holds a line, and the one behind its last."""
+    starts = [at for at, node in enumerate(document.nodes()) if starts_section(node)]
+    before = max((at for at in starts if at <= line), default=0)
+    return before, min((at for at in starts if at > line), default=document.line_count)
+
+
+def _refuse(numbers: list[tuple[int, Mention]], first: int, last: int) -> None:
+    """Cannot, if a jump leads out of the lines or into them: whoever comes back does so to where the last `GON` stood."""
+    called = {each.symbol.name for _, each in numbers if each.act is Act.CALL}
+    if "" in called:
+        raise Cannot("a jump goes to a number that is computed")
+    for line, each in numbers:
+        if first <= line <= last and (each.act is Act.CALL or each.symbol.name in called):
+            raise Cannot("a jump leads out of the lines or into them")
 
 
 def missing(view: View, symbol: Symbol) -> NewFile | None:
