@@ -372,3 +372,26 @@ def test_a_machine_file_makes_words_known() -> None:
     for text, expected in (('[words]\nWPOS = "decimal"\n', 1), ("[words", 1), ("words = 1", 1)):
         host = MemoryHost({"mill.toml": text})
         assert len(Analysis(document, ruleset, "", host).findings()) == expected
+
+
+@pytest.mark.parametrize(
+    ("lines", "names"),
+    [
+        ("#EVAL(#V1=5)", ["#V1"]),
+        ("#EVAL(#V1=5)\nX#V1", []),
+        ("#EVAL(#V1=5)\n#REPEAT(#V1)<M08>", []),
+        ("#EVAL(#V1=5)\n#FMT(#V1,D3.1)", ["#V1"]),
+        ("#EVAL(#V1=#V2)\n#EVAL(#V2=#V1)", []),
+        ("#EVAL(#V1=#V1+1)\n#EVAL(#V1=#V1+1)", ["#V1"]),
+        ("#EVAL(#V1=5)\n#RESET(#V1)", []),
+        ("#EVAL(#FEED=5)", []),
+        ("#EVAL(#V1=5)\n#IF(#V1", []),
+        ("#EVMD(#V1=5)\n#EVAL(#V1=6)", []),
+    ],
+)
+def test_what_is_set_and_never_read(lines: str, names: list[str]) -> None:
+    document = Document.parse(DIALECT.frame.replace("{}", lines), DIALECT)
+    ruleset = RuleSet(DIALECT, selected=lambda rule: rule.name == "cgt.value-unread")
+    findings = Analysis(document, ruleset, "", MemoryHost({})).findings()
+    said = [document.line(each.place.line)[each.place.col : each.place.end_col] for each in findings]
+    assert said == names

@@ -67,6 +67,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('table_row', 3, True, False, False, 'Syntax', {'kinds': (), 'only': None}, False),
     ('table_word', 2, True, False, False, 'Nodes', {'kinds': ('row',), 'by_shape': False}, False),
     ('unreachable', 2, True, False, False, 'Whole', {}, False),
+    ('value_unread', 1, False, False, False, 'Whole', {}, False),
     ('word_abuts_text', 2, True, False, False, 'Whole', {}, False),
     ('word_case', 1, True, False, False, 'Whole', {}, False),
     ('word_undeclared', 3, True, False, False, 'Whole', {}, False),

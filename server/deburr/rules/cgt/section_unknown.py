@@ -1,8 +1,9 @@
 """Section that nothing in the template runs.
 
 Its name is none that the generator runs by itself, no `#CALL` or `#GOTO` names it, and it is
-no table. A user command in the model may still call it; more often the name is misspelt and
-the section is silently left out.
+no table. Or only sections call it that it calls itself, so that nothing comes to any of them. A user command in the model may
+still call it; more often the name is misspelt and the section is silently left out. What is called from sections that run
+is never called unreachable, wherever the calls stand, because the model may call it as well.
 
 Source: spec/cgt.md §1, §7
 
@@ -30,6 +31,18 @@ Bad:
     G04 P#DWELL
     @
 
+Bad:
+
+    @
+    @clean
+    ^^^^^^
+    #IF(#V1>0)<#CALL(blow)>
+    @
+    @blow
+    M07
+    #CALL(clean)
+    @
+
 Good:
 
     #CALL(change)
@@ -39,7 +52,7 @@ Good:
     @
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Set
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
@@ -48,7 +61,7 @@ from deburr.fixers import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import computed, misspelt, misspelt_declare, similar_section
 from deburr.rules.cgt._template import template_of
-from deburr.templates.template import target
+from deburr.templates.template import Template, target
 from deburr_grammar.dialects.cgt.outline import SECTIONS
 
 
@@ -63,6 +76,33 @@ def check(analysis: Analysis) -> Iterator[Report]:
             hint = similar_section(section.name, SECTIONS)
             message = f"`@{section.name}` is no section that the generator runs, and nothing here calls it{hint}"
             yield Report(section.span, message, section.line)
+    yield from _circles(template, used)
+
+
+def _circles(template: Template, used: Set[str]) -> Iterator[Report]:
+    """The first section of each circle of calls that nothing leads to."""
+    calls: dict[str, set[str]] = {section.name: set() for section in template.sections}
+    for call, section in template.calls():
+        calls[section.name].add(target(call)[0])
+    called = {name for caller, names in calls.items() for name in names if name != caller}
+    # One that calls itself has a fault of its own.
+    started = {name for name, names in calls.items() if name not in called or name in names}
+    reached = _reached(calls, started | (used - called) | (SECTIONS & calls.keys()) | computed(template))
+    for section in template.sections:
+        if not (section.faulty or section.is_table or section.name in reached | template.named_in_faults):
+            reached |= _reached(calls, {section.name})
+            message = f"only sections call `@{section.name}` that it calls itself, so that nothing comes to any of them"
+            yield Report(section.span, message, section.line)
+
+
+def _reached(calls: Mapping[str, Set[str]], names: Set[str]) -> set[str]:
+    """Some sections and all that they call."""
+    found, waiting = set(names), list(names)
+    while waiting:
+        behind = calls.get(waiting.pop(), frozenset()) - found
+        found |= behind
+        waiting += behind
+    return found
 
 
 def fix(broken: Broken) -> Iterator[Fix]:
