@@ -10,24 +10,34 @@ from deburr.finding import Finding, Related
 from deburr.motion.follow import following
 from deburr.motion.form import form_of
 from deburr.motion.path import Recorder
-from deburr.ran import SHOWN, all_of, around, line_of
+from deburr.ran import SHOWN, Aside, all_of, around, line_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from deburr.analysis import Analysis
     from deburr.expand import SourceMap
     from deburr.rule import Report, Rule
 
 
-def moved(analysis: Analysis, lines: Sequence[str], source_map: SourceMap, simulate: bool) -> Iterator[Finding | None]:
+def moved(
+    analysis: Analysis,
+    lines: Sequence[str],
+    source_map: SourceMap,
+    simulate: bool,
+    aside: Callable[[Aside], None] | None = None,
+) -> Iterator[Finding | None]:
     """The findings of a flat program's moves as work that can be left wherever it yields None.
 
-    A source line is reported once by a rule, where it first breaks it.
+    A source line is reported once by a rule, where it first breaks it. ``aside`` is told of what is not followed.
     """
     recorder = Recorder()
     yield from following(lines, recorder, form_of(analysis.ruleset, analysis.host, simulate))
     path = recorder.path()
+    if aside is not None:
+        for note in path.notes:
+            origin = source_map.origin(note.flat)
+            aside(Aside(origin.file, origin.row, note.text, "moves are not certain at"))
     for rule in analysis.ruleset.on_moves:
         seen = set[tuple[str, int]]()
         for report in rule.check(path, analysis.ruleset.machine):

@@ -35,31 +35,32 @@ class Misgiven(Exception):
     """A value that was given for a run cannot be used: nothing was run, and no program is at fault."""
 
 
-class Stop(NamedTuple):
-    """Where a run ended that did not reach the program's end, and why, though nothing there is a finding."""
+class Aside(NamedTuple):
+    """What is to be said of a run though it is no finding: ``what`` is so at a line, and why."""
 
     file: str
     line: int
     why: str
+    what: str = "run stopped at"
 
 
 def ran(
     analysis: Analysis,
     inputs: Inputs | None = None,
     blocks: int = BLOCKS,
-    stopped: Callable[[Stop], None] | None = None,
+    aside: Callable[[Aside], None] | None = None,
 ) -> list[Finding]:
     """The findings of a run with these inputs, or else those of the analysis. What a machine, an operator or a missing input would decide ends it in silence, and so does the bound."""
-    return [found for found in running(analysis, inputs, blocks, stopped) if found is not None]
+    return [found for found in running(analysis, inputs, blocks, aside) if found is not None]
 
 
 def running(
     analysis: Analysis,
     inputs: Inputs | None = None,
     blocks: int = BLOCKS,
-    stopped: Callable[[Stop], None] | None = None,
+    aside: Callable[[Aside], None] | None = None,
 ) -> Iterator[Finding | None]:
-    """The same as work that can be left wherever it yields None; `Misgiven` if a value of the inputs is unusable. ``stopped`` is told where it ended in silence."""
+    """The same as work that can be left wherever it yields None; `Misgiven` if a value of the inputs is unusable. ``aside`` is told where it ended in silence, and what of its moves is not certain."""
     module = interpreter(analysis.dialect.name)
     inputs = inputs or analysis.inputs
     # Values that were given are judged even where no line reads one.
@@ -80,10 +81,10 @@ def running(
         # Only a machine that is described pays for its moves.
         from deburr.moved import moved
 
-        yield from moved(analysis, kept.lines, source_map, inputs.simulate)
-    if stopped is not None and job.halted and (job.cut or _silent(job.faults[-1], analysis)):
+        yield from moved(analysis, kept.lines, source_map, inputs.simulate, aside)
+    if aside is not None and job.halted and (job.cut or _silent(job.faults[-1], analysis)):
         last = job.faults[-1]
-        stopped(Stop(last.file, last.line, last.message))
+        aside(Aside(last.file, last.line, last.message))
 
 
 def worded(fault: Fault, ruleset: RuleSet, line: str) -> Finding:

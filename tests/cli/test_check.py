@@ -197,6 +197,20 @@ def test_verbose_says_where_a_run_stopped(shell, name, program, said):
     assert "stopped" not in shell.run("check", "-v", name, *given).err
 
 
+def test_verbose_says_which_moves_are_not_certain(shell):
+    shell.write("deburr.toml", "[machine]\nlimits = { X = [0, 300] }\n")
+    for name in ("a.z32", "b.z32"):
+        shell.write(name, "%\nG0 X1\nG70 G0 X400\nM30\n")
+    expected = [
+        f"deburr: {name}: moves are not certain at {name}:3: G70 may set the unit" for name in ("a.z32", "b.z32")
+    ]
+    for _ in ("anew", "known from an earlier check"):
+        ran = shell.run("check", "-v")
+        assert ran.code == 0
+        assert [line.partition(";")[0] for line in ran.err.splitlines() if "not certain" in line] == expected
+    assert "not certain" not in shell.run("check").err
+
+
 def test_standard_input(shell):
     assert lines(shell, "-", "--dialect", "rs274", stdin=FAULTY.encode()) == ([f"-:2:8: error {ZERO}"], 1)
     named = [f"sub/x.ngc:2:8: error {ZERO}"]

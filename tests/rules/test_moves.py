@@ -7,7 +7,7 @@ import pytest
 
 from deburr.analysis import Analysis
 from deburr.finding import Finding
-from deburr.ran import ran
+from deburr.ran import Aside, ran
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.document import Document
@@ -105,6 +105,75 @@ def test_offsets_and_tools_that_are_known_count() -> None:
     assert messages(home, LIMITS, parameters="p.var") == ["1 rs274.outside-limits", "2 rs274.outside-limits"]
     assert messages("G43 H1\nG0 Z50\nM2", LIMITS) == []
     assert messages("G43 H1\nG0 Z50\nM2", LIMITS, **{"tool-table": "t.tbl"}) == ["2 rs274.outside-limits"]
+
+
+UNGIVEN = "; the work offset counts as 0, since nothing gives it"
+BOTH = "; the work offset and the length of tool 7 count as 0, since nothing gives them"
+FAR = "the move goes to X 400 mm, outside of the machine's limits 0 to 300"
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        pytest.param("G0 X400", [FAR + UNGIVEN], id="no offset"),
+        pytest.param("G10 L2 P1 X10\nG0 X390", [FAR], id="one that the program gives"),
+        pytest.param("G10 L2 P1 X10\nG55 G0 X400", [FAR + UNGIVEN], id="one that it gives to another system"),
+        pytest.param("G10 L2 P2 X10\nG0 X1\nG55 G0 X390", [FAR], id="one that it gives to a system that it uses later"),
+        pytest.param("G53 G0 X400", [FAR], id="the machine's own place"),
+        pytest.param("G43 H7\nG0 X400", [FAR + UNGIVEN], id="a tool is no longer in X"),
+        pytest.param(
+            "G43 H7\nG0 X400 Z-60",
+            [f"{FAR}, and Z -60 mm, outside of -50 to 100{BOTH}"],
+            id="two axes, and a tool of which nothing gives the length",
+        ),
+        pytest.param("G43 H1\nG0 Z90", ["the move goes to Z 150 mm, outside of the machine's limits -50 to 100" + UNGIVEN], id="a tool of the table"),
+        pytest.param("G43 H7\nG49\nG53 G0 Z150", ["the move goes to Z 150 mm, outside of the machine's limits -50 to 100"], id="a tool that is put away"),
+    ],
+)  # fmt: skip
+def test_what_counts_as_zero_is_said(text: str, told: list[str]) -> None:
+    settings = {"tool-table": "t.tbl"}
+    found = said("rs274", f"M3 S1\n{text}\nM2", LIMITS, {"t.tbl": "T1 P1 Z60\n"}, settings)
+    assert [each.message for each in found] == told
+
+
+def test_stored_offsets_are_given() -> None:
+    found = said("rs274", "G0 X410\nM2\n", LIMITS, {"p.var": "5221 -10\n"}, {"parameters": "p.var"})
+    assert [each.message for each in found] == [FAR]
+
+
+def test_all_axes_of_an_arc_are_named() -> None:
+    text = "M3 S1\nG0 X290 Y0 Z80\nG18 G2 X290 Y0 Z120 I0 K20 F9\nM2\n"
+    expected = "the arc reaches X 310 mm, outside of the machine's limits 0 to 300, and Z 120 mm, outside of -50 to 100"
+    assert [each.message.removesuffix(UNGIVEN) for each in said("rs274", text, LIMITS)] == [expected]
+
+
+def test_a_rapid_below_safe_says_what_counts_as_zero() -> None:
+    for text, end in (("G0 Z1", UNGIVEN), ("G10 L2 P1 Z0.5\nG0 Z1", "")):
+        found = said("rs274", f"{text}\nM2\n", {"z-safe": 2})
+        assert [each.message.partition(" off")[2] for each in found] == [end]
+
+
+@pytest.mark.parametrize("dialect", ["metagcode", "z32"])
+@pytest.mark.parametrize(
+    ("text", "unit", "lines", "unsaid"),
+    [
+        pytest.param("G70\nG0 X400\nG0 X1 Y1\nG0 X400", "mm", [], [1], id="perhaps inches"),
+        pytest.param("G0 X400\nG70 G0 X400\nG71\nX400", "mm", [1], [2], id="places before them are certain"),
+        pytest.param("G71\nG0 X400", "mm", [2], [], id="millimetres either way"),
+        pytest.param("G70 G0 X12", "inch", [1], [], id="inches either way"),
+        pytest.param("G71 G0 X400", "inch", [], [1], id="perhaps millimetres"),
+        pytest.param("G70\nG0 X1 A400", "mm", [2], [1], id="degrees are none of them"),
+    ],
+)
+def test_a_code_that_may_set_the_unit(dialect: str, text: str, unit: str, lines: list[int], unsaid: list[int]) -> None:
+    machine = {"limits": {**LIMITS["limits"], "A": [0, 360]}, "unit": unit, "spindle": False}
+    language, head = by_name(dialect), "(P)\n" if dialect == "z32" else ""
+    program = Document.parse(f"{head}{text}\nM30\n", language)
+    asides = list[Aside]()
+    found = ran(Analysis(program, RuleSet(language, machine=machine), "main", MemoryHost({})), aside=asides.append)
+    shift = len(head) // 4
+    assert [each.place.line + 1 - shift for each in found if each.rule.endswith("outside-limits")] == lines
+    assert [each.line + 1 - shift for each in asides if "may set the unit" in each.why] == unsaid
 
 
 @pytest.mark.parametrize(

@@ -160,8 +160,8 @@ def _say(found: Iterable[Outcome], verbose: bool) -> None:
             origin = style.file(outcome.origin) if outcome.origin else "no configuration"
             kept = ", known from an earlier check" if outcome.kept else ""
             complain(f"{name}: {outcome.dialect} ({outcome.reason}), {origin}{kept}", "")
-            if (stop := outcome.stopped) is not None:
-                complain(f"{name}: run stopped at {style.file(stop.file)}:{stop.line + 1}: {stop.why}", "")
+            for aside in outcome.asides:
+                complain(f"{name}: {aside.what} {style.file(aside.file)}:{aside.line + 1}: {aside.why}", "")
 
 
 def _processes(asked: int | None, found: Sequence[Target]) -> int:

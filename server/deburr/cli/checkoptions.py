@@ -45,7 +45,7 @@ def parser() -> argparse.ArgumentParser:
         "-v",
         "--verbose",
         action="store_true",
-        help="also say, on stderr, how each file was read and where its run stopped",
+        help="also say, on stderr, how each file was read, where its run stopped, and what of its moves [machine] cannot judge",
     )
     return found
 

@@ -9,7 +9,7 @@ from deburr.cli.build import build
 from deburr.cli.fingerprint import digest
 from deburr.cli.run import Outcome
 from deburr.finding import Finding, Fix, Place, Related, Severity
-from deburr.ran import Stop
+from deburr.ran import Aside
 from deburr_grammar.text import Edit, Pos
 
 if TYPE_CHECKING:
@@ -67,14 +67,13 @@ def _entry(outcome: Outcome) -> dict[str, Any]:
         "dialect": outcome.dialect,
         "reason": outcome.reason,
         "origin": outcome.origin,
-        "stopped": outcome.stopped,
+        "asides": outcome.asides,
         "findings": outcome.findings,
         "keys": outcome.keys,
     }
 
 
 def _outcome(entry: dict[str, Any], file: str, fail_on: Severity) -> Outcome:
-    stopped = entry["stopped"]
     return Outcome(
         file,
         entry["dialect"],
@@ -82,7 +81,7 @@ def _outcome(entry: dict[str, Any], file: str, fail_on: Severity) -> Outcome:
         tuple(map(_finding, entry["findings"])),
         fail_on,
         origin=entry["origin"],
-        stopped=None if stopped is None else Stop(*stopped),
+        asides=tuple(Aside(*each) for each in entry["asides"]),
         keys=tuple(entry["keys"]),
         kept=True,
     )

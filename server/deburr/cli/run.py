@@ -24,7 +24,7 @@ from deburr_grammar.text import split_lines
 if TYPE_CHECKING:
     from deburr.cli.cache import Cache
     from deburr.cli.kept import Keeper
-    from deburr.ran import Stop
+    from deburr.ran import Aside
 
 AROUND = 2
 """Lines shown before and behind the line of a finding."""
@@ -50,8 +50,8 @@ class Outcome(NamedTuple):
     """What they would change, where that is only shown."""
     data: bytes = b""
     """Of standard input the program behind its fixes."""
-    stopped: "Stop | None" = None
-    """Where its run ended before the end, if it did in silence."""
+    asides: "tuple[Aside, ...]" = ()
+    """Where its run ended before the end, if it did in silence, and what of its moves is not certain."""
     keys: tuple[str, ...] = ()
     """By what each finding is known again; none if nobody asked."""
     kept: bool = False
@@ -141,7 +141,7 @@ class Checker:
             config.origin,
             shown,
             run.misgiven,
-            stopped=run.stopped,
+            asides=tuple(run.asides),
             keys=keys,
         )
         if self._keeper is not None and name == file:
@@ -176,11 +176,11 @@ class Checker:
 
 
 class _Runs:
-    """Runs a program. ``misgiven``: what is wrong with a value that was given for it; ``stopped``: where it ended in silence."""
+    """Runs a program. ``misgiven``: what is wrong with a value that was given for it; ``asides``: what is to be said of it beside findings."""
 
     def __init__(self) -> None:
         self.misgiven = ""
-        self.stopped: Stop | None = None
+        self.asides: list[Aside] = []
 
     def __call__(self, analysis: Analysis) -> list[Finding]:
         """What a run meets."""
@@ -188,13 +188,10 @@ class _Runs:
         from deburr.ran import Misgiven, ran
 
         try:
-            return ran(analysis, stopped=self._stopped)
+            return ran(analysis, aside=self.asides.append)
         except Misgiven as wrong:
             self.misgiven = str(wrong)
             return []
-
-    def _stopped(self, stop: "Stop") -> None:
-        self.stopped = stop
 
 
 def outcomes(

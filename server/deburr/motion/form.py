@@ -32,6 +32,8 @@ class Form:
     """Millimetres in the unit of ``tools`` and ``stored``."""
     stored: Mapping[int, float] = field(default_factory=dict)
     """Stored parameters by number: offsets of work systems (5221 and up), G92 (5210), homes (5161, 5181); none: not known."""
+    contours: bool = True
+    """Whether G70 and G71 are cycles along a contour, as in RS274; where the language names none, they may set inches and millimetres (ISO 6983)."""
     simulate: bool = False
     """Whether what only the machine knows is answered as the stand-alone interpreter does."""
 
@@ -53,6 +55,7 @@ def form_of(ruleset: RuleSet, host: Host, simulate: bool = False) -> Form:
         tools=tools.read(_text(ruleset, host, "tool-table")).words,
         tool_unit=MM_PER_INCH if simulate else unit,
         stored=parameters.read(_text(ruleset, host, "parameters")).values,
+        contours=ruleset.dialect.codes.entry("code", "G70") is not None,
         simulate=simulate,
     )
 

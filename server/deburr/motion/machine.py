@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.axes import AXES
-from deburr.expand.rs274.modes import GROUP_OF, Modes
+from deburr.expand.rs274.modes import GROUP_OF, MM_PER_INCH, Modes
 from deburr.expand.rs274.position import AXIS_CODES, CYCLES, MOVELESS
 from deburr.motion.motions import Motions
 from deburr.motion.mover import LENGTHS, Mover
@@ -33,6 +33,8 @@ _KNOWN_M = frozenset((*range(3), *range(3, 10), 19, 30, 48, 49, *range(50, 54), 
 _LETTERS = frozenset((*AXES, *"@^GMNFSTIJKRPQLHDEO"))
 _CONTOURS = frozenset((700, 710, 711, 712, 720, 721, 722))
 """Cycles along a contour, in passes that only the control knows."""
+_UNITS = {700: MM_PER_INCH, 710: 1.0}
+"""Inches and millimetres in ISO 6983."""
 _STOPS = {0: 0.0, 10: 1.0, 600: 60.0}
 _ENDS = {20: 2.0, 300: 30.0}
 
@@ -55,6 +57,9 @@ class Machine:
         self._motions = Motions(self._modes, self._mover, recorder, form.simulate)
         self._selected = self._loaded = 0
         self._easy = self._is_easy()
+        self._unmeasured = 0
+        """The tool of which the length counts as zero, since nothing gives it."""
+        self._count_zeros()
         self.ended = False
         self._saved: Modes | None = None
         """What M70 or M73 saved."""
@@ -139,6 +144,9 @@ class Machine:
             self._saved = before
         for line in modes.restoring(self._saved) if 720 in ms and self._saved is not None else ():
             self._any(line, flat)
+        if not self._form.contours and gs & _UNITS.keys() and words.keys().isdisjoint("PQ"):
+            self._unsaid(gs & _UNITS.keys(), flat)
+            gs -= _UNITS.keys()
         self._say_unknown(gs, ms, flat)
         if self._form.simulate and modes.unit != before.unit:
             mover.switch(modes.unit / before.unit)
@@ -150,6 +158,8 @@ class Machine:
         if modes.g["motion"] not in CYCLES:
             mover.left_cycles()
         self._offsets(gs, words, flat)
+        if gs:
+            self._count_zeros()
         self._flags()
         if gs & AXIS_CODES:
             self._non_modal(gs, words, flat)
@@ -164,6 +174,19 @@ class Machine:
         for code in ms & _ENDS.keys():
             self._recorder.event(flat, Happening.END, _ENDS[code])
             self.ended = True
+
+    def _unsaid(self, gs: set[int], flat: int) -> None:
+        """Codes that may set a unit. If it is the one that holds, they change nothing; if not, no length is certain behind them."""
+        for code in sorted(gs):
+            if _UNITS[code] != self._modes.unit:
+                self._mover.unmeasured()
+                self._recorder.note(
+                    flat,
+                    f"G{code // 10} may set the unit; nothing says so for certain, and lengths behind it are not held against limits",
+                )
+
+    def _count_zeros(self) -> None:
+        self._recorder.zero(not self._mover.offsets.given, self._unmeasured)
 
     def _say_unknown(self, gs: set[int], ms: set[int], flat: int) -> None:
         for code in sorted((gs - GROUP_OF.keys() - _KNOWN_G) | gs & _CONTOURS):
@@ -206,6 +229,7 @@ class Machine:
         """Tool lengths and work systems."""
         mover, offsets = self._mover, self._mover.offsets
         if 490 in gs:
+            self._unmeasured = 0
             mover.jumped([0.0] * 9, flat)
         for code in gs & {430, 431, 432}:
             mover.jumped(self._length(code, words, flat), flat)
@@ -229,14 +253,15 @@ class Machine:
     def _length(self, code: int, words: Mapping[str, float], flat: int) -> Coordinates:
         now = self._mover.offsets.tool
         if code == 431:
-            unit = self._modes.unit
+            self._unmeasured, unit = 0, self._modes.unit
             return [
                 words[letter] * (unit if letter in LENGTHS else 1.0) if letter in words else now[axis]
                 for axis, letter in enumerate(AXES)
             ]
         tool = round(words["H"]) if "H" in words else self._loaded
         said = self._form.tools.get(tool)
-        if said is None and tool:
+        self._unmeasured = tool if said is None else 0
+        if self._unmeasured:
             self._recorder.note(flat, f"the length of tool {tool} is not known, and counts as 0")
         found = [
             (said or {}).get(letter, 0.0) * (self._form.tool_unit if letter in LENGTHS else 1.0) for letter in AXES
@@ -262,6 +287,7 @@ class Machine:
                     mover.laid(given)
                 mover.stay(tip)
                 self._recorder.event(flat, Happening.SYSTEM, at + 1)
+                self._count_zeros()
             else:
                 self._recorder.note(flat, f"G10 L{kind} is not followed")
         else:

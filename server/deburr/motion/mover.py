@@ -109,6 +109,11 @@ class Mover:
         self.unknown |= said
         self.lost |= said
 
+    def unmeasured(self) -> None:
+        """The unit of lengths is not certain any more, so that no word says where an axis goes."""
+        self.lose(LINEAR)
+        self.adrift |= sum(1 << axis for axis in LINEAR)
+
     def shifted(self, axes: Iterable[int] | None) -> None:
         """G92 is made of the places of these axes; None: it is gone."""
         self._shifted = self.unknown & sum(1 << axis for axis in axes) if axes is not None else 0

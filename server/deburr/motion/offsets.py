@@ -39,6 +39,8 @@ class Offsets:
         """`straight` along X, Y and Z, where it is nothing along all others; asked for behind `straight`."""
         self.known = bool(form.stored)
         """Whether it is known where the work systems lie in the machine."""
+        self._given = set[int]()
+        """The systems of which the program says it."""
         for at, value in form.stored.items():
             self.stored(at, value)
         stored = form.stored.get(5220, 1)
@@ -50,6 +52,7 @@ class Offsets:
     def stored(self, at: int, value: float) -> None:
         """A stored parameter is set; what is in force stays as it is."""
         number, axis = divmod(at - _FIRST, _EACH)
+        self._given.add(number)
         if _SHIFT <= at < _SHIFT + 9:
             self._kept[at - _SHIFT] = self._mm(at - _SHIFT, value)
         elif 0 <= number < len(SYSTEMS) and axis < 9:
@@ -70,6 +73,7 @@ class Offsets:
 
     def set_system(self, number: int, given: Mapping[int, float], turn: float | None) -> None:
         """G10 L2: where a system lies. The one that is in force changes at once."""
+        self._given.add(number)
         for axis, value in given.items():
             self._systems[number][axis] = value
         if turn is not None:
@@ -110,6 +114,11 @@ class Offsets:
         """G92.3: the shift that was left."""
         self._stale = True
         self.shift = list(self._kept)
+
+    @property
+    def given(self) -> bool:
+        """Whether anything says where the system lies that is in force."""
+        return self.known or self.active in self._given
 
     @property
     def straight(self) -> Coordinates | None:

@@ -122,6 +122,14 @@ class Event(NamedTuple):
     value: float
 
 
+class Zeros(NamedTuple):
+    """From the move of index ``at`` on: whether nothing gives the work offset, and of which tool nothing gives the length (0: none)."""
+
+    at: int
+    system: bool
+    tool: int
+
+
 class Note(NamedTuple):
     """Something of a line that the moves do not show, in words."""
 
@@ -160,6 +168,8 @@ class Path:
     notes: tuple[Note, ...]
     lengths: tuple[tuple[float, ...], ...]
     """Tool length offsets that were used, along X, Y, Z; one that is not known is of zeros."""
+    zeros: tuple[Zeros, ...] = ()
+    """What counts as zero because nothing gives it, each time that this changes."""
 
     def __len__(self) -> int:
         return len(self.kinds)
@@ -207,6 +217,7 @@ class Recorder:
         self._events: tuple[array[Any], ...] = (array("i"), array("i"), array("B"), array("d"))
         self._notes: dict[str, Note] = {}
         self._lengths: list[tuple[float, ...]] = []
+        self._zeros: list[Zeros] = []
         columns: tuple[array[Any], ...] = (
             self._kinds, self._flags, self._x, self._y, self._z, self._flat, self._feeds, self._tool,
             self._unknown,
@@ -250,6 +261,11 @@ class Recorder:
             self._lengths.append(said)
         self.event(flat, Happening.LENGTH, self._lengths.index(said))
 
+    def zero(self, system: bool, tool: int) -> None:
+        """This counts as zero for the next move, as `Path.zeros` has it."""
+        if not self._zeros or self._zeros[-1][1:] != (system, tool):
+            self._zeros.append(Zeros(len(self._kinds), system, tool))
+
     def note(self, flat: int, text: str) -> None:
         """Something to be said; the same is said once, where it comes first."""
         self._notes.setdefault(text, Note(flat, text))
@@ -268,6 +284,7 @@ class Recorder:
             Events(_view(at), _view(flat), _view(what), _view(value)),
             tuple(self._notes.values()),
             tuple(self._lengths),
+            tuple(self._zeros),
         )  # fmt: skip
 
     def _also(self, end: Sequence[float]) -> None:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise, repeat
 from typing import TYPE_CHECKING
 
 from deburr.machine import AXES
 from deburr.motion.arcs import extremes
-from deburr.motion.path import Flag, Happening, Kind
+from deburr.motion.path import Flag, Happening, Kind, Zeros
 from deburr.rule import Report
 from deburr_grammar.text import Span
 
@@ -26,25 +27,29 @@ _AXES = "XYZ"
 def outside(path: Path, machine: Mapping[str, Any]) -> Iterator[Report]:
     """Moves that bring an axis beyond its limits: the machine's, so that the tool's length counts."""
     limits = machine["limits"]
-    for index, length in _with_lengths(path):
+    for (index, length), zeros in zip(_with_lengths(path), _zeros(path)):
         if path.kinds[index] == Kind.SHIFT:
             continue
+        beyond = dict[str, str]()
         of_machine = bool(path.flags[index] & Flag.MACHINE)
         for axis, low, high, moves in _reached(path, index, length):
             least, most = limits.get(axis, (low, high))
-            beyond = low if low < least - _NEAR else high if high > most + _NEAR else None
-            if beyond is not None and moves and (of_machine or _known(path, index, axis)):
+            far = low if low < least - _NEAR else high if high > most + _NEAR else None
+            if far is not None and moves and (of_machine or _known(path, index, axis)):
                 unit = "degrees" if axis in "ABC" else "mm"
-                what = "the arc reaches" if path.kinds[index] == Kind.ARC else "the move goes to"
-                said = f"{what} {axis} {beyond:.6g} {unit}, outside of the machine's limits {least:g} to {most:g}"
-                yield Report(Span(0, 0), said, path.flat[index])
-                break
+                whose = "" if beyond else "the machine's limits "
+                beyond[axis] = f"{axis} {far:.6g} {unit}, outside of {whose}{least:g} to {most:g}"
+        if beyond:
+            what = "the arc reaches" if path.kinds[index] == Kind.ARC else "the move goes to"
+            counted = _counted(zeros.system and not of_machine, zeros.tool if "Z" in beyond else 0)
+            yield Report(Span(0, 0), f"{what} {', and '.join(beyond.values())}{counted}", path.flat[index])
 
 
 def too_low(path: Path, machine: Mapping[str, Any]) -> Iterator[Report]:
     """Rapids that end below Z safe, or go sideways there. To rise straight out is right, and so is what a canned cycle does in its hole."""
     safe = machine["z-safe"]
-    for index, (kind, flags, end) in enumerate(zip(path.kinds, path.flags, path.z)):
+    columns = zip(path.kinds, path.flags, path.z, _zeros(path))
+    for index, (kind, flags, end, zeros) in enumerate(columns):
         if kind != Kind.RAPID or not _known(path, index, "Z"):
             continue
         start = path.before(index)[2] if index and _known(path, index - 1, "Z") else math.inf
@@ -54,6 +59,7 @@ def too_low(path: Path, machine: Mapping[str, Any]) -> Iterator[Report]:
         if low < safe - _NEAR:
             turns = "turning" if flags & Flag.SPINDLE else "off"
             said = f"a rapid at Z {low:.6g} mm, below the safe Z of {safe:g} mm, with the spindle {turns}"
+            said += _counted(zeros.system and not flags & Flag.MACHINE, 0)
             yield Report(Span(0, 0), said, path.flat[index])
 
 
@@ -91,6 +97,23 @@ def _known(path: Path, index: int, axis: str) -> bool:
     bit = 1 << AXES.index(axis)
     before = path.unknown[index - 1] if index and path.kinds[index] == Kind.ARC else 0
     return not (path.unknown[index] | before) & bit
+
+
+def _counted(system: bool, tool: int) -> str:
+    """What of a place is only taken for zero, as the end of a message."""
+    names = [*(["the work offset"] if system else []), *([f"the length of tool {tool}"] if tool else [])]
+    verb = "count" if len(names) > 1 else "counts"
+    return (
+        f"; {' and '.join(names)} {verb} as 0, since nothing gives {'them' if len(names) > 1 else 'it'}"
+        if names
+        else ""
+    )
+
+
+def _zeros(path: Path) -> Iterator[Zeros]:
+    """Of each move what counts as zero for it."""
+    for now, then in pairwise((Zeros(0, False, 0), *path.zeros, Zeros(len(path), False, 0))):
+        yield from repeat(now, then.at - now.at)
 
 
 def _with_lengths(path: Path) -> Iterator[tuple[int, Sequence[float]]]:

@@ -3,8 +3,9 @@
 `[machine] limits` says how far axes go, as `limits = { X = [0, 300] }`: mm (A, B and C: degrees) in the
 machine's coordinates. A control stops there, in the middle of the part. Compared is what a bounded run
 moves, arcs with all places that they pass. Work offsets, G92 and tool lengths count as far as the
-program, its stored parameters and the tool table tell them; others count as zero, so give them where
-the part's zero is not the machine's. Of a place that only the machine knows, as behind G28, nothing is said;
+program, its stored parameters and the tool table tell them; others count as zero, which the message says, so
+give them where the part's zero is not the machine's. Where a language does not name `G70` and `G71`, they may set
+inches and millimetres: behind the one that changes the unit no length is held against limits, and `deburr check -v` says so. Of a place that only the machine knows, as behind G28, nothing is said;
 where G53 goes is always known.
 
 Source: interface.md, *Configuration*
