@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
+from deburr.suppress import is_allowed
 from deburr_grammar.text import Edit, Pos, Span, line_starts, with_newlines
 
 if TYPE_CHECKING:
@@ -200,7 +201,7 @@ def _said(analysis: Analysis, lines: Iterable[int]) -> Counter[tuple[str, str]]:
     count = analysis.document.line_count
     found = [each for line in lines if line < count for each in analysis.line_findings(line)]
     for fault in analysis.document.faults if analysis.ruleset.on_structure else ():
-        found += analysis.fault_findings(fault)
+        found += (each for each in analysis.fault_findings(fault) if not is_allowed(analysis.document, each))
     return Counter((each.rule, each.message) for each in found)
 
 

@@ -58,6 +58,8 @@ def extracted(view: View, start: Pos, end: Pos) -> Work[Extracted]:
 def _inserted(view: View, line: int, lines: Iterable[str]) -> Edit:
     """Whole lines before a line, or at the end."""
     text = "".join(f"{each}\n" for each in lines)
-    last = view.document.line(view.document.line_count - 1)
-    at = Pos(line, 0)
-    return Edit(at, at, f"\n{text}" if line >= view.document.line_count and last else text)
+    end = view.document.line_count - 1
+    if line <= end:
+        return Edit(Pos(line, 0), Pos(line, 0), text)
+    at = Pos(end, len(view.document.line(end)))
+    return Edit(at, at, f"\n{text}" if at.col else text)

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.blocks import scopes
+from deburr.symbols import Act, Sort
+from deburr.symbols.index import all_symbols, mentions_of
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
@@ -25,7 +27,7 @@ class Fold(NamedTuple):
 
 def folds(view: View) -> list[Fold]:
     """All folds of a program, in order."""
-    found = {*_blocks(view.document), *_comments(view.document)}
+    found = {*_blocks(view.document), *_sections(view.document), *_comments(view.document)}
     return sorted(found)
 
 
@@ -38,6 +40,21 @@ def _blocks(document: Document) -> Iterator[Fold]:
         for block in scope.blocks:
             if block.closer is not None and block.closer.line > block.opener.line:
                 yield Fold(block.opener.line, block.closer.line)
+
+
+def _sections(document: Document) -> Iterator[Fold]:
+    """Sections that have no end: each goes on to the next one, without the empty lines before that."""
+    regions = {line for line, _ in document.brackets()}
+    placed = (
+        each for symbol in all_symbols(document, Sort.SECTION) for each in mentions_of(document, symbol, act=Act.DEFINE)
+    )
+    starts = sorted({each.line for each in placed} - regions)
+    for first, following in zip(starts, [*starts[1:], document.line_count]):
+        last = following - 1
+        while last > first and not document.line(last).strip():
+            last -= 1
+        if last > first:
+            yield Fold(first, last)
 
 
 def _comments(document: Document) -> Iterator[Fold]:

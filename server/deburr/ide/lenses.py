@@ -15,6 +15,7 @@ from deburr_grammar.dialect import Role
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
+    from deburr_grammar.dialect import Bracket
     from deburr_grammar.text import Pos, Span
 
 _MOST = 1_000
@@ -62,14 +63,27 @@ def _is_systems(view: View, symbol: Symbol) -> bool:
 
 def _loops(view: View) -> list[Lens]:
     constants = constants_of(view.dialect.name)
-    found: list[Lens] = []
-    for line, bracket in view.document.brackets() if constants is not None else ():
-        if bracket.role is Role.OPEN and bracket.kind in _LOOPS and constants is not None and len(found) < _MOST:
-            lengths = constants.lengths(view.document, line, partial(held, view), view.ruleset.settings)
-            turns = passes(view, line) if bracket.kind == "while" else None
+    if constants is None:
+        return []
+    found: dict[int, Lens] = {}
+    for line, bracket in view.document.brackets():
+        for head in _heads(view, line, bracket) if len(found) < _MOST else ():
+            lengths = list(constants.lengths(view.document, head, partial(held, view), view.ruleset.settings))
+            turns = passes(view, head) if bracket.kind == "while" else None
             text = " · ".join([each.text for each in lengths] + ([] if turns is None else [turns[1]]))
-            found += [Lens(line, bracket.span, "passes", text)] if text else []
-    return found
+            if text and head not in found:
+                found[head] = Lens(head, bracket.span if bracket.kind in _LOOPS else lengths[0].span, "passes", text)
+    return list(found.values())
+
+
+def _heads(view: View, line: int, bracket: Bracket) -> list[int]:
+    """The line that says how often a block goes round that opens on a line: this one, or the one above where the sign that opens it may stand below."""
+    if bracket.role is not Role.OPEN:
+        return []
+    if bracket.kind in _LOOPS:
+        return [line]
+    near = range(max(0, line - 1), line + 1)
+    return [each for each in near if "repeat" in view.document.node(each).kinds]
 
 
 _LOOPS = frozenset(("loop", "repeat", "while"))

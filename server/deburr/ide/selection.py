@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from deburr.blocks import scopes
 from deburr.finding import Place
+from deburr.symbols.index import region
 from deburr_grammar.dialect import Role
 from deburr_grammar.tree import Node
 
@@ -38,8 +40,17 @@ def _around(document: Document, pos: Pos) -> Iterator[Place]:
     yield Place("", pos.line, 0, pos.line, len(text))
     for first, last in _blocks(document, pos.line):
         yield Place("", first, 0, last, len(document.line(last)))
+    for first, last in _region(document, pos.line):
+        yield Place("", first, 0, last, len(document.line(last)))
     end = document.line_count - 1
     yield Place("", 0, 0, end, len(document.line(end)))
+
+
+def _region(document: Document, line: int) -> Iterator[tuple[int, int]]:
+    """The subprogram or section around a line, if it has an end."""
+    for scope in scopes(document.brackets()) if region(document, line) is not None else ():
+        if scope.start is not None and scope.end is not None and scope.start.line <= line <= scope.end.line:
+            yield scope.start.line, scope.end.line
 
 
 def _path(tree: Node, col: int) -> Iterator[Node | Token]:

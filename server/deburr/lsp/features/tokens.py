@@ -21,10 +21,10 @@ _numbers = count(1)
 @feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE)
 def on_range(server: Server, params: types.SemanticTokensRangeParams) -> types.SemanticTokens:
     """The colours of some lines."""
-    view = server.view(params.text_document.uri)
-    return types.SemanticTokens(
-        [] if view is None else _data(server, view, params.range.start.line, params.range.end.line)
-    )
+    view, end = server.view(params.text_document.uri), params.range.end
+    # What ends before a line's first sign does not hold that line.
+    last = end.line if end.character else end.line - 1
+    return types.SemanticTokens([] if view is None else _data(server, view, params.range.start.line, last))
 
 
 @feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL)
