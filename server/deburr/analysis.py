@@ -13,7 +13,7 @@ from deburr.rule import Note, Notice, Rule, Structure, Whole
 from deburr.ruleset import RuleSet
 from deburr.stateful import Said
 from deburr.steps import done, kept
-from deburr.suppress import UNUSED, allowed, is_allowed
+from deburr.suppress import UNUSED, allowed, is_allowed, mentions
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.document import Document, Piece
 from deburr_grammar.structure import StructureFault
@@ -127,10 +127,19 @@ class Analysis:
 
     def _kept(self, found: list[Finding], *, whole: bool = True) -> list[Finding]:
         """What no comment allows, in order. A comment speaks for the file that it stands in, and is of no use only if the ``whole`` has none for it."""
-        elsewhere = [finding for finding in found if finding.place.file != self.file]
+        elsewhere = [each for each in found if each.place.file != self.file and not self._is_allowed_there(each)]
         kept = allowed(self.document, [finding for finding in found if finding.place.file == self.file], self.ruleset)
         notices = kept.notices if whole else (each for each in kept.notices if each.kind != UNUSED)
         return sorted([*kept.findings, *elsewhere, *self._noticed(notices)], key=lambda finding: finding.order)
+
+    def _is_allowed_there(self, finding: Finding) -> bool:
+        """Whether a comment in another file, which this one reads or calls, allows what is found in it."""
+        text = self.host.read(finding.place.file)
+        # Files that no programs are, such as lists of values, have no such comments.
+        if text is None or not mentions(text):
+            return False
+        document = Document.parse(text, self.dialect)
+        return finding.place.line < document.line_count and is_allowed(document, finding)
 
     def line_findings(self, line: int) -> list[Finding]:
         """The findings that a line alone decides, but for those that a comment allows."""

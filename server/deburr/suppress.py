@@ -73,6 +73,11 @@ def allowed(document: Document, findings: Iterable[Finding], ruleset: RuleSet) -
     return Allowed(kept, [*_notices(document, unused, ruleset), *misspelt])
 
 
+def mentions(text: str) -> bool:
+    """Whether a text may hold such a comment."""
+    return _SIGN in text
+
+
 def is_allowed(document: Document, finding: Finding) -> bool:
     """Whether a comment allows a finding: looks only at its line and the lines of comments right above."""
     near: dict[int, tuple[Allow, ...]] = {}

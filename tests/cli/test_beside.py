@@ -87,3 +87,15 @@ def test_a_table_word_of_the_machine_file_makes_its_section_a_table(shell):
 def test_standard_input_without_a_name_has_no_files_around_it(shell):
     shell.write("deburr.toml", CONFIG)
     assert shell.run("check", "--dialect", "cgt", "-", "-q", stdin=TEMPLATE.encode()).out == ""
+
+
+def test_what_several_programs_find_in_a_file_that_they_call_is_said_once(shell):
+    shell.write("part.ngc", "o<part> sub\n#<d>=0\nG0 X[#1/#<d>]\no<part> endsub\nM2\n")
+    for name in ("a.ngc", "b.ngc"):
+        shell.write(name, "G21 G90 G17\no1 if [#5420 GT 5]\no<part> call [1]\no1 endif\nM2\n")
+    lines, code = concise(shell, ".")
+    assert [line.split(" `")[0] for line in lines[:-1]] == ["part.ngc:3:9: error rs274.divide-by-zero"]
+    assert code == 1
+    lines, code = concise(shell, "a.ngc")
+    assert [line.split(" `")[0] for line in lines[:-1]] == ["part.ngc:3:9: error rs274.divide-by-zero"]
+    assert code == 1

@@ -20,6 +20,7 @@ from deburr.values.words import said
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
+from support.pages import MemoryHost
 from support.programs import generated
 from support.values import MAIN, Known, analysed, known, known_generally
 
@@ -91,6 +92,32 @@ def test_what_called_files_do(name: str) -> None:
     assert found is not None
     value = found.before[line].get(key)
     assert (said(value) if value is not None else "") == text, value
+
+
+DIVIDES = {"part.ngc": "o<part> sub\nG0 X[5/#1]\no<part> endsub\nM2\n"}
+
+
+def test_a_fault_in_a_called_file_is_found_from_the_program_that_calls_it() -> None:
+    """A run need not come to it: the call stands under a condition that only the machine decides."""
+    program = "o1 if [#5420 GT 5]\no<part> call [0]\no1 endif\nM2\n"
+    (found,) = (each for each in proving(analysed(FRAME + program, "rs274", DIVIDES)) if each is not None)
+    assert (found.rule, *found.place) == ("rs274.divide-by-zero", "part.ngc", 1, 7, 1, 9)
+    assert [(each.place.file, each.place.line, each.message) for each in found.related] == [(MAIN, 2, "called here")]
+
+
+def test_a_called_file_that_is_right_for_one_call_is_not_wrong() -> None:
+    program = "o1 if [#5420 GT 5]\no<part> call [0]\no1 endif\no<part> call [2]\nM2\n"
+    assert [each for each in proving(analysed(FRAME + program, "rs274", DIVIDES)) if each is not None] == []
+
+
+def test_a_comment_in_a_called_file_allows_what_is_wrong_there() -> None:
+    program = f"{FRAME}o1 if [#5420 GT 5]\no<part> call [0]\no1 endif\nM2\n"
+    text = DIVIDES["part.ngc"].replace("#1]", "#1] (deburr: allow rs274.divide-by-zero)")
+    for files, rules in ((DIVIDES, ["rs274.divide-by-zero"]), ({"part.ngc": text}, [])):
+        language = by_name("rs274")
+        document = Document.parse(program, language)
+        analysis = Analysis(document, RuleSet(language), MAIN, MemoryHost(files), prove=proving)
+        assert [each.rule for each in analysis.findings()] == rules
 
 
 def test_a_check_hears_of_the_files_that_it_entered() -> None:

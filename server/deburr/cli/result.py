@@ -59,13 +59,15 @@ class Result:
     @cached_property
     def everything(self) -> list[Found]:
         """All findings in order of file, row and column. What several programs find in a file that they share is one finding."""
-        first: dict[Finding, Found] = {}
+        first: dict[tuple[object, ...], Found] = {}
         keys: dict[Finding, str] = {}
         for outcome in self.outcomes:
             for finding in outcome.findings:
-                if finding not in first:
+                old = first.get(finding.order)
+                if old is None or len(finding.related) < len(old.finding.related):
+                    # The file alone has the shorter way to it.
                     fails = finding.severity >= outcome.fail_on
-                    first[finding] = Found(finding, outcome.dialect or "", fails)
+                    first[finding.order] = Found(finding, outcome.dialect or "", fails)
             keys.update(zip(outcome.findings, outcome.keys))
         ordered = sorted(first.values(), key=lambda each: each.finding.order)
         if not keys:

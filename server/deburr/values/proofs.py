@@ -27,8 +27,6 @@ def findings(program: Program, analysis: Analysis, written: Written) -> Iterator
     places = Places(program)
     for name, solved in program.solved.items():
         routine = program.routines[name]
-        if routine.is_elsewhere(analysis.file):
-            continue
         for node, proof in _proofs(routine, solved.solution, analysis, places):
             yield from _found(explained, routine, node, proof, analysis)
     yield from _idle(program, analysis, written)
