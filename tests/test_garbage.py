@@ -12,13 +12,13 @@ from pathlib import Path
 import pytest
 
 from deburr.check import check
-from deburr.finding import Finding
 from deburr.ruleset import RuleSet
 from deburr.source import NotAProgram, read
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.dialects import NAMES, by_name
 from support import naive
 from support.alphabets import alphabet, pieces
+from support.places import check_finding
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 LINUXCNC = Path("/usr/share/linuxcnc/ncfiles")
@@ -50,17 +50,7 @@ def check_bytes(name: str, data: bytes, seconds: float = SECONDS) -> None:
     assert took < seconds, f"{name}: {took:.1f} s for {len(data)} bytes: {data[:80]!r}"
     lines = source.lines
     for finding in findings:
-        check_place(finding, lines)
-
-
-def check_place(finding: Finding, lines: list[str]) -> None:
-    """A finding stands in the file, marks something, and says something."""
-    place = finding.place
-    assert finding.message
-    assert 0 <= place.line <= place.end_line < len(lines), finding
-    assert 0 <= place.col <= len(lines[place.line]), finding
-    assert 0 <= place.end_col <= len(lines[place.end_line]), finding
-    assert (place.line, place.col) <= (place.end_line, place.end_col), finding
+        check_finding(finding, lines)
 
 
 def random_files(count: int) -> Iterator[bytes]:
@@ -284,6 +274,6 @@ def test_the_check_would_notice() -> None:
     source = read(b"(a (b) c)\n")
     assert not isinstance(source, NotAProgram)
     finding = check(source, by_name("rs274"), ruleset("rs274"))[0]
-    check_place(finding, naive.lines_of(source.text))
+    check_finding(finding, naive.lines_of(source.text))
     with pytest.raises(AssertionError):
-        check_place(finding, ["(a"])
+        check_finding(finding, ["(a"])

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from functools import cached_property
+from functools import cache, cached_property
 from importlib import import_module
 from pkgutil import iter_modules
 from typing import Any, NamedTuple, get_args
 
 from deburr.finding import Severity
 from deburr.rule import Modal, Nodes, Report, Rule, Structure, Trigger, Whole
+from deburr_grammar.dialects import NAMES
 from deburr_grammar.structure import Fault
 
 COMMON = "deburr.rules.common"
@@ -45,6 +46,12 @@ def rule_names(dialect: str) -> tuple[str, ...]:
     """The names of all rules of a dialect in order, read off the files."""
     files = {*_files(COMMON), *_files(f"deburr.rules.{dialect}")}
     return tuple(sorted(f"{dialect}.{file.replace('_', '-')}" for file in files))
+
+
+@cache
+def known_rules(dialect: str) -> frozenset[str]:
+    """The same to ask about many of them; none of what is no dialect."""
+    return frozenset(rule_names(dialect) if dialect in NAMES else ())
 
 
 def loaded(package: str) -> Iterator[Rule]:

@@ -1,7 +1,9 @@
 """Patterns of paths as in `.gitignore`. A name that was made to be tried in vain costs no more than any other. Loaded only where there are patterns."""
 
+import re
 from collections.abc import Iterable
 from typing import Literal
+from warnings import catch_warnings, simplefilter
 
 from pathspec import GitIgnoreSpec
 from pathspec.patterns.gitignore.spec import GitIgnoreSpecPattern
@@ -18,8 +20,23 @@ class Pattern(GitIgnoreSpecPattern):
 
 
 def spec(lines: Iterable[str]) -> GitIgnoreSpec:
-    """What lines of patterns say of paths; ValueError if one cannot be read."""
-    return GitIgnoreSpec.from_lines(lines, Pattern)
+    """What lines of patterns say of paths. One that is no pattern means no path, and leaves the others as they are."""
+    return GitIgnoreSpec([found for line in lines if (found := _read(line)) is not None])
+
+
+def is_pattern(line: str) -> bool:
+    """Whether a line can be read as a pattern: not `\\`, which hides nothing, nor `[z-a]`, which has nothing in it."""
+    return _read(line) is not None
+
+
+def _read(line: str) -> Pattern | None:
+    with catch_warnings():
+        # What Python may one day read otherwise is no matter of the one who wrote the pattern.
+        simplefilter("ignore", FutureWarning)
+        try:
+            return Pattern(line)
+        except (ValueError, re.error):
+            return None
 
 
 def linear(segment: str) -> str:

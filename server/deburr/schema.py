@@ -150,7 +150,9 @@ def wrong(setting: Setting, value: Any) -> str:
             return "" if isinstance(value, str) else f"must be a text, not {_kind(value)}"
 
 
-def _file(_pattern: str, value: Any) -> str:
+def _file(pattern: str, value: Any) -> str:
+    if said := _pattern(pattern):
+        return said
     if isinstance(value, str) and value in NAMES:
         return ""
     return f"{_said(value)} is no dialect{suggestion(value, NAMES) if isinstance(value, str) else ''}"
@@ -163,7 +165,15 @@ def _severity(name: str, value: Any) -> str:
     return "" if isinstance(value, str) and value in levels else f"`{name}` must be {_or(levels)}, not {_said(value)}"
 
 
+def _pattern(said: str) -> str:
+    from deburr.patterns import is_pattern
+
+    return "" if is_pattern(said.removeprefix("!")) else f"`{said}` is no pattern of paths; write it as in `.gitignore`"
+
+
 def _ignores(pattern: str, value: Any) -> str:
+    if said := _pattern(pattern):
+        return said
     if not isinstance(value, list) or not all(isinstance(each, str) for each in value):
         return f"`{pattern}` must be a list of rules, not {_kind(value)}"
     return next((said for name in value if (said := unknown(name))), "")

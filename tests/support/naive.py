@@ -81,6 +81,8 @@ def read_directly(dialect: Dialect, start: str | None, text: str) -> tuple[Node,
     if start is None:
         return _NOTHING, ()
     parsed = dialect.grammar.parse(start, text)
+    if parsed.deep or sum(map(dialect.folding.fold(text).count, "[(<")) > 200:
+        return _NOTHING, (Problem("line-too-deep", 0, len(text)),)
     return parsed.tree, () if parsed.fault is None else told(dialect, text, (dialect.diagnose(parsed.fault),))
 
 

@@ -23,10 +23,10 @@ OPEN = 8
 _COPIES = 5
 _BLOCKS = 500
 """Flat lines after which an expansion is cut: how long they get is not the question here."""
-_MAY_REFUSE = {-32800: "cancelled", -32802: "changed meanwhile", -32803: "cannot be done"}
+MAY_REFUSE = {-32800: "cancelled", -32802: "changed meanwhile", -32803: "cannot be done"}
 """Errors that are answers: LSP's RequestCancelled, ServerCancelled, RequestFailed."""
 _NUMBER_OR_NAME = re.compile(r"[0-9]+|[a-z_]{4,}")
-_FOLLOW = {
+FOLLOW = {
     "completionItem/resolve": "textDocument/completion",
     "codeLens/resolve": "textDocument/codeLens",
     "codeAction/resolve": "textDocument/codeAction",
@@ -114,7 +114,7 @@ class Typist:
         for _ in range(3):
             line = self._random.randrange(len(lines))
             for at in self._typed(uri, line, renewed(self._random.choice(lines), self._new)):
-                self._ask_about(uri, line, at)
+                self._askabout(uri, line, at)
             self._change(uri, (line, 0), (line + 1, 0), "")
         line = self._random.randrange(len(lines))
         for method in self._methods:
@@ -139,7 +139,7 @@ class Typist:
         self.seen.edits += 1
         self._pause()
 
-    def _ask_about(self, uri: str, line: int, character: int) -> None:
+    def _askabout(self, uri: str, line: int, character: int) -> None:
         """What an editor asks while one types, and now and then takes back."""
         near = (
             "completion",
@@ -155,8 +155,8 @@ class Typist:
             self._client.notify("$/cancelRequest", {"id": self._pending[-1][1]})
 
     def _ask_method(self, method: str, uri: str, line: int, character: int) -> None:
-        if method in _FOLLOW:
-            given = self._last.get(_FOLLOW[method])
+        if method in FOLLOW:
+            given = self._last.get(FOLLOW[method])
             items = given["items"] if isinstance(given, dict) else given
             if items:
                 item = items[0]
@@ -169,11 +169,11 @@ class Typist:
         elif method == "workspace/textDocumentContent":
             self._ask(method, uri="deburr-expanded:" + uri.removeprefix("file://"))
         elif not method.startswith("workspace/"):
-            self._ask(method, **_about(uri, line, character))
+            self._ask(method, **about(uri, line, character))
 
     def _ask(self, method: str, **params: Any) -> None:
         self._pending.append((method, self._client.ask(method, params)))
-        if len(self._pending) > 20 or method in _FOLLOW.values():
+        if len(self._pending) > 20 or method in FOLLOW.values():
             self._collect()
 
     def _collect(self) -> None:
@@ -182,7 +182,7 @@ class Typist:
             try:
                 self._last[method] = self._client.result(number)
             except Refused as refused:
-                if refused.code not in _MAY_REFUSE:
+                if refused.code not in MAY_REFUSE:
                     self.seen.wrong.append(f"{method}: {refused.code} {refused}")
             self.seen.answers[method] += 1
         self._pending.clear()
@@ -203,7 +203,7 @@ def _another(word: str, new: Random) -> str:
     return "".join(new.choice("abcdefghij") if char.islower() else char for char in word)
 
 
-def _about(uri: str, line: int, character: int) -> Json:
+def about(uri: str, line: int, character: int) -> Json:
     """Parameters that hold what any request about a document needs."""
     position = {"line": line, "character": character}
     whole = {"start": {"line": max(line - 20, 0), "character": 0}, "end": {"line": line + 20, "character": 0}}

@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from deburr import paths
+from deburr.catalogue import known_rules
 from deburr.cli.build import build
 from deburr.cli.fingerprint import digest
 from deburr.cli.run import Outcome
 from deburr.finding import Finding, Fix, Place, Related, Severity
 from deburr.ran import Aside
+from deburr_grammar.dialects import NAMES
 from deburr_grammar.text import Edit, Pos
 
 if TYPE_CHECKING:
@@ -44,7 +46,7 @@ class Keeper:
         entry = self._cache.get(name)
         try:
             return _outcome(entry, file, fail_on) if entry is not None and self._holds(entry) else None
-        except (KeyError, TypeError, ValueError, IndexError):
+        except (AttributeError, KeyError, TypeError, ValueError):
             return None
 
     def keep(self, name: str, outcome: Outcome, needs: Needs) -> None:
@@ -74,24 +76,56 @@ def _entry(outcome: Outcome) -> dict[str, Any]:
 
 
 def _outcome(entry: dict[str, Any], file: str, fail_on: Severity) -> Outcome:
+    """The outcome in an entry; ValueError or its like if it is none that was put there."""
+    dialect, findings = entry["dialect"], tuple(map(_finding, entry["findings"]))
+    keys = tuple(_text(key) for key in entry["keys"])
+    known = dialect in (None, *NAMES) and all(each.rule in known_rules(dialect) for each in findings)
+    if not known or len(keys) not in (0, len(findings)):
+        raise ValueError
     return Outcome(
         file,
-        entry["dialect"],
-        entry["reason"],
-        tuple(map(_finding, entry["findings"])),
+        dialect,
+        _text(entry["reason"]),
+        findings,
         fail_on,
-        origin=entry["origin"],
-        asides=tuple(Aside(*each) for each in entry["asides"]),
-        keys=tuple(entry["keys"]),
+        origin=_text(entry["origin"]),
+        asides=tuple(_aside(*each) for each in entry["asides"]),
+        keys=keys,
         kept=True,
     )
 
 
 def _finding(said: list[Any]) -> Finding:
     rule, severity, message, place, related, fix = said
-    others = tuple(Related(Place(*at), text, entered) for at, text, entered in related)
-    return Finding(rule, Severity(severity), message, Place(*place), others, None if fix is None else _fix(*fix))
+    others = tuple(Related(_place(*at), _text(text), bool(entered)) for at, text, entered in related)
+    made = None if fix is None else _fix(*fix)
+    return Finding(_text(rule), Severity(severity), _text(message), _place(*place), others, made)
 
 
 def _fix(title: str, edits: Iterable[Any], safe: bool) -> Fix:
-    return Fix(title, tuple(Edit(Pos(*start), Pos(*end), text) for start, end, text in edits), safe)
+    made = tuple(Edit(_pos(*start), _pos(*end), _text(text)) for start, end, text in edits)
+    return Fix(_text(title), made, bool(safe))
+
+
+def _place(file: str, line: int, col: int, end_line: int, end_col: int) -> Place:
+    return Place(_text(file), *_pos(line, col), *_pos(end_line, end_col))
+
+
+def _pos(line: int, col: int) -> Pos:
+    return Pos(_number(line), _number(col))
+
+
+def _aside(file: str, line: int, why: str, what: str) -> Aside:
+    return Aside(_text(file), _number(line), _text(why), _text(what))
+
+
+def _text(said: Any) -> str:
+    if type(said) is not str:
+        raise TypeError
+    return said
+
+
+def _number(said: Any) -> int:
+    if type(said) is not int or said < 0:
+        raise TypeError
+    return said

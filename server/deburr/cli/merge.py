@@ -2,9 +2,8 @@
 
 import argparse
 from collections.abc import Sequence
-from functools import cache
 
-from deburr.catalogue import rule_names
+from deburr.catalogue import known_rules
 from deburr.cli.common import Help, unable
 from deburr.cli.disk import Disk
 from deburr.cli.output import add_output, outputs_of, written
@@ -15,7 +14,6 @@ from deburr.config import ConfigError
 from deburr.finding import Finding, Severity
 from deburr.schema import LEVELS
 from deburr.source import Source
-from deburr_grammar.dialects import NAMES
 
 
 def parser() -> argparse.ArgumentParser:
@@ -64,7 +62,7 @@ def run(arguments: argparse.Namespace) -> int:
         lacking = _lacking([part for each in reports for part in each.parts])
         if lacking and not arguments.incomplete:
             raise ConfigError(*lacking, "--incomplete merges what there is")
-        result = _merged(reports, Severity[arguments.fail_on.upper()], any(e.form == "full" for e in outputs))
+        result = merged(reports, Severity[arguments.fail_on.upper()], any(e.form == "full" for e in outputs))
         if arguments.baseline:
             from deburr.cli.baseline import compared
 
@@ -75,12 +73,12 @@ def run(arguments: argparse.Namespace) -> int:
     return unable([wrong]) if wrong else result.code(arguments.exit_zero)
 
 
-def _merged(reports: Sequence[Report], fail_on: Severity, loud: bool) -> Result:
+def merged(reports: Sequence[Report], fail_on: Severity, loud: bool) -> Result:
     """The findings of all reports, each program's together. ``loud``: with the lines that are to be shown, as far as the programs lie here."""
     found: dict[tuple[str, str], list[tuple[Finding, str]]] = {}
     for report in reports:
         for finding, dialect, key in report.findings():
-            if finding.rule not in _rules(dialect):
+            if finding.rule not in known_rules(dialect):
                 raise ConfigError(f"{report.name}: `{finding.rule}` is no rule of this version of deburr")
             found.setdefault((finding.place.file, dialect), []).append((finding, key))
     disk = Disk()
@@ -104,8 +102,3 @@ def _lacking(parts: Sequence[Part]) -> list[str]:
     missing = [f"{number}/{counts[0]}" for number in range(1, counts[0] + 1) if number not in there]
     wrong = [f"the report of part {part} is missing; `deburr check --shard {part}` makes it" for part in missing]
     return wrong + [f"part {part.shard} could not check {why}" for part in parts for why in part.failed]
-
-
-@cache
-def _rules(dialect: str) -> frozenset[str]:
-    return frozenset(rule_names(dialect) if dialect in NAMES else ())

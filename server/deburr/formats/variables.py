@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from deburr_grammar.text import Span, line_starts, split_lines
 
 _KEYS = re.compile(r'("(?:[^"\\]|\\.)*")(\s*:)?|([\[{])|[\]}]')
-_ERROR = re.compile(r"^(.*): line ([0-9]+) column ([0-9]+)")
+_ERROR = re.compile(r"^(.*): line [0-9]+ column [0-9]+ \(char ([0-9]+)\)$")
 
 
 class Value(NamedTuple):
@@ -77,7 +77,7 @@ def _json(text: str) -> Iterator[tuple[str, Value | Defect]]:
     try:
         read = json.loads(text, object_pairs_hook=_Object, parse_int=str, parse_float=str, parse_constant=_nothing)
     except (ValueError, RecursionError) as error:
-        yield "", _broken(str(error))
+        yield "", _broken(text, error)
         return
     if not isinstance(read, _Object):
         yield "", Defect(0, Span(0, 1), "it is JSON but no object of names and values")
@@ -106,12 +106,14 @@ def _defined(name: str, text: str, line: int, span: Span, fault: str) -> Value |
     return Defect(line, span, fault) if fault else Value(text, line, span)
 
 
-def _broken(error: str) -> Defect:
-    """What is wrong with a text that is no JSON."""
-    said = _ERROR.match(error)
+def _broken(text: str, error: ValueError | RecursionError) -> Defect:
+    """What is wrong with a text that is no JSON; where its line or the text ends too soon, the last character stands for it."""
+    said = _ERROR.match(str(error))
     if said is None:
         return Defect(0, Span(0, 1), "it is no JSON that can be read")
-    line, col = int(said[2]) - 1, int(said[3]) - 1
+    at = int(said[2])
+    line = bisect_right(line_starts(text), at) - 1
+    col = max(0, min(at - line_starts(text)[line], len(split_lines(text)[line]) - 1))
     return Defect(line, Span(col, col + 1), f"it is no JSON: {said[1][:1].lower()}{said[1][1:]}")
 
 
