@@ -10,6 +10,7 @@ import pytest
 from deburr.ide.calls import incoming, outgoing, prepared
 from deburr.ide.hints import hints
 from deburr.ide.known import known
+from deburr.ide.lenses import lenses
 from deburr.symbols.index import at
 from support.views import at_cursor
 
@@ -75,12 +76,35 @@ VALUES = {"variables": "part.vars"}
         ("cgt", "@LINE\n#EVAL(#V1=2*3)\nX#V1#TABLE(TAB,1)#IF(#COOLNT=1)<a>\n#REPEAT(#V1)<x>\n@\n@TAB\na,hello\nb,world\n@\n", {}, ["1:=6", "2:=6", "2:=world", "2:=M08", "3:6 passes"]),
         ("cgt", "@LINE\nX#V1\n#REPEAT(#V1)<x>\n@\n@START\n#EVAL(#V1=6)\n@\n", {}, ["1:=6", "2:6 passes"]),
         ("cgt", "@LINE\n#TABLE(TAB,7)#EVAL(#MOV=9)\n@\n@TAB\na,hello\n@\n", {}, []),
+        ("rs274", "#3=0\no1 while [#3 LT 100]\nG0 X#3\n#3=[#3+10]\no1 endwhile\nX#3\n", {}, ["1:10 passes", "5:=100"]),
+        ("rs274", "#4=5\no2 do\nG0 X#4\n#4=[#4-1]\no2 while [#4 GT 0]\nX#4\n", {}, ["4:5 passes", "5:=0"]),
+        ("rs274", "#4=#5420\no2 do\nG0 X#4\n#4=[#4-1]\no2 while [#4 GT 0]\nX#4\n", {}, []),
+        ("metagcode", "#LOOP1 |D| |none| c\nZ|D|\n#ENDLOOP1\n", VALUES, []),
+        ("cgt", "@LINE\n#IF(#XPOS>0)<#EVAL(#V2=2)>#ELSE<#EVAL(#V2=2)>\nX#V2\n#EVAL(#V3=MOD(#XPOS,2))\nX#V3\n@\n", {}, ["2:=2"]),
+        ("z32", "(P)\nHA0\nN10 HA<HA+1>\nX<HA>\n!IF HA<5; GON10!\nY<HA>\n", {}, ["4:5 passes", "5:=5"]),
+        ("z32", "(P)\nHA<PAL[300]>\nN10 HA<HA+1>\nX<HA>\n!IF HA<5; GON10!\nY<HA>\n", {}, []),
         ("z32", "(P)\n!PAL[1]=3!\nG25YZX\nAA1 X<PAL[1]+2> Y<2*4> Z<HA>\n", {}, ["3:=Y", "3:=3", "3:=8"]),
     ],
 )  # fmt: skip
 def test_hints(dialect: str, text: str, settings: Mapping[str, Any], found: list[str]) -> None:
     view, _ = at_cursor(dialect, text, settings, part_vars="D=15\nW=10\nK=3\n")
     assert [f"{each.line}:{each.text}" for each in hints(view, 0, 99)] == found
+
+
+@pytest.mark.parametrize(
+    ("dialect", "text", "settings", "found"),
+    [
+        ("rs274", "#3=0\no1 while [#3 LT 100]\nG0 X#3\n#3=[#3+10]\no1 endwhile\n", {}, ["1:10 passes"]),
+        ("rs274", "#4=5\no2 do\nG0 X#4\n#4=[#4-1]\no2 while [#4 GT 0]\n", {}, ["4:5 passes"]),
+        ("rs274", "#<n>=3\no3 repeat [#<n>]\nG0 X1\no3 endrepeat\no4 repeat [#5420]\nG0 X1\no4 endrepeat\n", {}, ["1:3 passes"]),
+        ("metagcode", "#LOOP1 |D| 5 c\nZ|D|\n#ENDLOOP1\n#LOOP2 |none| 5 c\nZ|none|\n#ENDLOOP2\n", VALUES, ["0:3 passes, step 5"]),
+        ("cgt", "@START\n#EVAL(#V1=6)\n@\n@LINE\n#REPEAT(#V1)<x>\n#REPEAT(#TOOL)<y>\n@\n", {}, ["4:6 passes"]),
+        ("z32", "(P)\nHA0\nN10 HA<HA+10>\nX<HA>\n!IF HA<100; GON10!\nN20 HB<HB+1>\n!IF HB<5; GON20!\n", {}, ["4:10 passes"]),
+    ],
+)  # fmt: skip
+def test_lenses_of_loops(dialect: str, text: str, settings: Mapping[str, Any], found: list[str]) -> None:
+    view, _ = at_cursor(dialect, text, settings, part_vars="D=15\n")
+    assert [f"{each.line}:{each.text}" for each in lenses(view) if each.kind == "passes"] == found
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.ide.known import held, known, passes
-from deburr.symbols import Act, language_of
+from deburr.symbols import Act, Sort, language_of
 from deburr.symbols.constants import constants_of
 from deburr.symbols.index import Placed, on_line, region
 
@@ -64,10 +64,12 @@ def _of_line(view: View, line: int, kinds: Collection[str]) -> Iterator[Hint]:
 
 
 def _tests(view: View, line: int) -> bool:
-    """Whether a loop's condition may stand on a line."""
+    """Whether a loop's condition may stand on a line: a loop opens or ends there, or a jump may lead back from it."""
     piece = view.document.piece(line)
     brackets = (bracket for index, bracket in piece.outlined.brackets if piece.line + index == line)
-    return any(bracket.kind in ("while", "do") for bracket in brackets)
+    if any(bracket.kind in ("while", "do") for bracket in brackets):
+        return True
+    return any(each.symbol.sort is Sort.LABEL and each.act is not Act.DEFINE for each in on_line(view.document, line))
 
 
 def _within(span: Span, lengths: Iterable[Length]) -> bool:

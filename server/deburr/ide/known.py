@@ -16,7 +16,7 @@ from deburr.analysis import Analysis
 from deburr.symbols import Act, Sort, Symbol, entry_of, language_of
 from deburr.symbols.constants import Constants, Value, constants_of, count
 from deburr.symbols.index import Placed, Region, all_symbols, mentions_of, on_line, region
-from deburr.values import Told, passes_at, told_at, value_at
+from deburr.values import Told, all_passes, passes_at, told_at, value_at
 from deburr.values.words import said
 from deburr_grammar.dialect import Bracket, Role
 
@@ -75,6 +75,11 @@ def passes(view: View, line: int) -> tuple[Span, str] | None:
     """How often the loop goes round whose condition stands on a line, in words, and the columns that say so; None if it is not proven."""
     found = passes_at(_analysis(view), line)
     return None if found is None else (found[0], count(found[1]))
+
+
+def loops(view: View) -> Iterator[tuple[int, Span, str]]:
+    """The loops of which it is proven how often they go round: the line of the condition, the columns that say so, how often in words."""
+    return ((line, span, count(times)) for line, span, times in all_passes(_analysis(view)))
 
 
 def _analysis(view: View) -> Analysis:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from functools import partial
+from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.ide.known import held, passes
+from deburr.ide.known import held, loops
 from deburr.ide.related import uses
 from deburr.ide.view import Spot
 from deburr.symbols import Act, Sort, Symbol
@@ -65,12 +66,11 @@ def _loops(view: View) -> list[Lens]:
     constants = constants_of(view.dialect.name)
     if constants is None:
         return []
-    found: dict[int, Lens] = {}
+    found = {line: Lens(line, span, "passes", text) for line, span, text in islice(loops(view), _MOST)}
     for line, bracket in view.document.brackets():
         for head in _heads(view, line, bracket) if len(found) < _MOST else ():
             lengths = list(constants.lengths(view.document, head, partial(held, view), view.ruleset.settings))
-            turns = passes(view, head) if bracket.kind == "while" else None
-            text = " · ".join([each.text for each in lengths] + ([] if turns is None else [turns[1]]))
+            text = " · ".join(each.text for each in lengths)
             if text and head not in found:
                 found[head] = Lens(head, bracket.span if bracket.kind in _LOOPS else lengths[0].span, "passes", text)
     return list(found.values())

@@ -103,6 +103,15 @@ def passes_at(analysis: Analysis, line: int) -> tuple[Span, int] | None:
     return turns(program, analysis.file, line)
 
 
+def all_passes(analysis: Analysis) -> Iterator[tuple[int, Span, int]]:
+    """How often each loop goes round, where that is proven: the line of its condition, the columns of its command, the number."""
+    program = _at_hand(analysis)
+    if program is not None:
+        from deburr.values.tell import all_turns
+
+        yield from all_turns(program, analysis.file)
+
+
 def _at_hand(analysis: Analysis) -> Program | None:
     """What is proven, if a check has found it already or a person can wait for it."""
     document = analysis.document

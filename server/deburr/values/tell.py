@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterator
 from typing import TYPE_CHECKING
 
 from deburr.values import Told
@@ -42,6 +42,17 @@ def turns(program: Program, file: str, line: int) -> tuple[Span, int] | None:
             if found is not None:
                 return loop.span, found.times
     return None
+
+
+def all_turns(program: Program, file: str) -> Iterator[tuple[int, Span, int]]:
+    """How often each loop of a file goes round, where that is proven: the line of its condition, the columns of its command, the number."""
+    for name, solved in program.solved.items():
+        routine = program.routines[name]
+        for loop in routine.graph.loops:
+            at = routine.graph.nodes[loop.test].line
+            found = passes(solved.solution, loop) if loop.test in solved.solution.before else None
+            if found is not None and (routine.files is None or routine.files[at] == file):
+                yield routine.rows[at], loop.span, found.times
 
 
 def _origin(
