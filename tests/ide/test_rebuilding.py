@@ -441,3 +441,14 @@ def test_the_file_of_a_call_by_path() -> None:
     view, _ = at_cursor("z32", "(P)\n!:L254-SUBS\\DRILL!\nM30\n", {"file-root": "icamfs"}, icamfs__other="G26\n")
     findings = Analysis(view.document, view.ruleset, view.file, view.host).findings()
     assert [missing_file(view, each) for each in findings] == [NewFile("/job/icamfs/SUBS/DRILL", "G26\n")]
+
+
+@pytest.mark.parametrize(("call", "folder"), [("GOP", "cmos"), ("GOS", "cmos-temp")])
+def test_the_file_of_a_program_in_the_memory(call: str, folder: str) -> None:
+    text, settings = f"(P)\n!{call}9!\nM30\n", {"cmos-dir": "cmos"}
+    beside = {f"{folder}/3.z32": "G26\n"}
+    view, _ = at_cursor("z32", text, settings, beside)
+    findings = Analysis(view.document, view.ruleset, view.file, view.host).findings()
+    assert [missing_file(view, each) for each in findings] == [NewFile(f"/job/{folder}/9.z32", "G26\n")]
+    view, _ = at_cursor("z32", text, settings, {**beside, f"{folder}/9.z32": "G26\n"})
+    assert Analysis(view.document, view.ruleset, view.file, view.host).findings() == []

@@ -132,6 +132,7 @@ SAFE = {
     "z32.fcepp-spelling",
     "z32.html-entity",
     "z32.lower-case",
+    "z32.number-digits",
 }
 """Rules whose fixes are safe: what the control reads is the same, or can be nothing else."""
 
@@ -146,6 +147,7 @@ MADE = [
     ("metagcode.alpha-number", "#IF1 9 greaterthan 10 a", "#IF1 9 greaterthan 10 n"),
     ("metagcode.block-mismatch", "#ENDIF2", "#ENDIF1"),
     ("metagcode.directive-not-first", "G0 X1 #FILE a.txt", "G0 X1\n#FILE a.txt"),
+    ("metagcode.double-sign", "G1 Z-|Top| F100", "G1 Z|Top| F100"),
     ("metagcode.file-case", "#FILE mill/a.txt", "#FILE Mill/a.txt"),
     ("metagcode.file-missing", "#FILE drill", "#FILE drill.txt"),
     ("metagcode.if-operator", "#IF1 |a| = 1 n", "#IF1 |a| equalto 1 n"),
@@ -157,6 +159,7 @@ MADE = [
     ("metagcode.loop-step-negative", "#LOOP1 |z| -2 c", "#LOOP1 |z| 2 c"),
     ("metagcode.loop-step-type", "#LOOP1 |z| c 2", "#LOOP1 |z| 2 c"),
     ("metagcode.loop-var-literal", "#LOOP1 Z 2 c", "#LOOP1 |Z| 2 c"),
+    ("metagcode.loop-var-twice", "#LOOP1 |z| 2 c |z| 1 r", "#LOOP1 |z| 2 c"),
     ("metagcode.not-numeric", "#LOOP1 |Depth| 2mm c", "#LOOP1 |Depth| 2 c"),
     ("metagcode.unknown-directive", "#FILE1 drill.txt", "#FILE drill.txt"),
     ("metagcode.unterminated-variable", "#IF1 |a equalto 1 n", "#IF1 |a| equalto 1 n"),
@@ -185,6 +188,8 @@ MADE = [
     ("rs274.operator-outside-brackets", "#4=#1+2", "#4=[#1+2]"),
     ("rs274.operator-outside-brackets", "G0 X10 // first hole", "G0 X10 ; first hole"),
     ("rs274.operator-unknown", "G0 X[3*[2+1] Y2", "G0 X[3*[2+1]] Y2"),
+    ("rs274.param-equal-missing", "#1[2+3]", "#1=[2+3]"),
+    ("rs274.param-equal-missing", "#<deep>[2+3]", "#<deep>=[2+3]"),
     ("rs274.percent", "%part 7", "%\n(part 7)"),
     ("rs274.return-label", "  o<pocket> return", "  o<slot> return"),
     ("rs274.semicolon-active", "G0 X1 ; debug, x #5420", "G0 X1 (debug, x #5420)"),
@@ -197,6 +202,8 @@ MADE = [
     ("rs274.m-group", "M3 S100 M3", "M3 S100"),
     ("rs274.axis-conflict", "G92 X0 G1 Y5 F100", "G92 X0\nG1 Y5 F100"),
     ("rs274.word-repeated", "G0 X1 Y2 X1", "G0 X1 Y2"),
+    ("cgt.bracket-no-word", "<G90>", "G90"),
+    ("cgt.bracket-no-word", "<<X#XPOS>>", "<X#XPOS>"),
     ("cgt.bracket-unclosed", "<#MOV>< X#XPOS>< Y#YPOS>< Z#ZPOS", "<#MOV>< X#XPOS>< Y#YPOS>< Z#ZPOS>"),
     ("cgt.call-in-text", "S#SPEED M03 #CALL(coolant)", "S#SPEED M03\n#CALL(coolant)"),
     ("cgt.command-syntax", "#UPDATE(#XPOS #YPOS)", "#UPDATE(#XPOS,#YPOS)"),
@@ -206,6 +213,7 @@ MADE = [
     ("cgt.else-misplaced", "<T#NTOOL>#ELSE <T0>", "<T#NTOOL>#ELSE<T0>"),
     ("cgt.if-comma", "#IF(#V2>3#OR#V2<-1)<M08>", "#IF(#V2>3,#OR#V2<-1)<M08>"),
     ("cgt.if-syntax", "#IF(#V1=>3)<M08>", "#IF(#V1>=3)<M08>"),
+    ("cgt.if-string", "#IF(#S1>3)<M08>", "#IFSTR(#S1>3)<M08>"),
     ("cgt.section-name", "@ DWELL", "@DWELL"),
     ("cgt.space-outside", "<X#XPOS> <Y#YPOS>", "<X#XPOS>< Y#YPOS>"),
     ("cgt.word-case", "<X#XPOS#and Y#YPOS>", "<X#XPOS#AND Y#YPOS>"),
@@ -215,6 +223,7 @@ MADE = [
     ("z32.advanced-unterminated", "N10 !HA=1;HB=2", "N10 !HA=1;HB=2!"),
     ("z32.alias-form", "G25 XYZ", "G25XYZ"),
     ("z32.angle-unclosed", "X<HA*2 Y5", "X<HA*2> Y5"),
+    ("z32.falls-into-section", "G0 Z100", "G0 Z100\nM30"),
     ("z32.fcepp-spelling", "A=$FECPP('INIT_VAR_SYST')", "A=$FCEPP('INIT_VAR_SYST')"),
     ("z32.field-unreachable", "!IF HA>1; EB; HB=2! HA=0!", "!IF HA>1; EB! HA=0!"),
     ("z32.function-paren", "HA<SN 30>", "HA<SN(30)>"),
@@ -224,7 +233,11 @@ MADE = [
     ("z32.if-syntax", "!IF HA>1 HA=5!", "!IF HA>1; HA=5!"),
     ("z32.jump-target-missing", "!IF HA>1; GON11-N20! HA=2!", "!IF HA>1; GON20-N20! HA=2!"),
     ("z32.lower-case", "X<ha+1>", "X<HA+1>"),
+    ("z32.number-digits", "X1234567.12345", "X1234567.12"),
+    ("z32.number-digits", "X-0.1234567890", "X-0.123456789"),
+    ("z32.number-digits", "!HA=100000.0000!", "!HA=100000.000!"),
     ("z32.paren-unclosed", "HA< HB + (HC+HD/2)/(SN(HE) >", "HA< HB + (HC+HD/2)/(SN(HE)) >"),
+    ("z32.range-end-active", "N2 G0 X2", "G0 X2\nN2"),
     ("z32.word-syntax", "X=5", "!X=5!"),
 ]
 
@@ -317,3 +330,23 @@ def test_one_name_of_a_comment_is_taken_out() -> None:
     case = Case(Example(False, "G0 X1 (deburr: allow rs274.limit, rs274.abort)\nM2\n", {}, {}, ()), "rs274", rule)
     found = [applied(case.analysis.document, fix.edits).line(0) for _, fix in case.proven()]
     assert found == ["G0 X1 (deburr: allow rs274.abort)", "G0 X1 (deburr: allow rs274.limit)"]
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "made"),
+    [
+        ("z32.program-missing", "(P)\n!GOP9!\nM30\n:1\nG26\n", "(P)\n!GOP9!\nM30\n:1\nG26\n:9\nG26\n"),
+        ("z32.program-missing", "(P)\n!GOP9!\nM30\n:1\nG26", "(P)\n!GOP9!\nM30\n:1\nG26\n:9\nG26\n"),
+        ("z32.fcepp-position", "G0 X1\nA=$FCEPP('INIT_VAR_SYST')\nM30\n", "A=$FCEPP('INIT_VAR_SYST')\nG0 X1\nM30\n"),
+        # Whoever jumps to N2 does not want what stands before it.
+        ("z32.range-end-active", "!GON1-N2!\n!GON2!\nN1 G0 X1\nN2 G0 X2\nM30\n", None),
+        # A whole part of ten digits cannot be rounded.
+        ("z32.number-digits", "X1234567890.5\nM30\n", None),
+    ],
+)
+def test_what_a_fix_makes_of_a_program(name: str, text: str, made: str | None) -> None:
+    rule = next(each for each in RULES if each.name == name)
+    case = Case(Example(False, text, {}, {}, ()), "z32", rule)
+    assert [each.rule for each in case.findings].count(name) == 1
+    found = [applied(case.analysis.document, fix.edits).text for _, fix in case.proven()]
+    assert found == ([] if made is None else [made])

@@ -20,6 +20,6 @@ def missing_file(view: View, finding: Finding) -> NewFile | None:
     placed = at(view.document, place.line, place.col) if place.file == view.file else None
     if moves is None or placed is None or finding.rule.partition(".")[2] not in moves.MISSING:
         return None
-    found = moves.missing(view, placed.mention.symbol)
+    found = moves.missing(view, placed)
     there = found is None or file_of(view, placed.mention.symbol) or view.host.read(found.file) is not None
     return None if there else found

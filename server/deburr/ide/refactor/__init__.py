@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeVar
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
-    from deburr.symbols import Mention, Symbol
+    from deburr.symbols import Mention
+    from deburr.symbols.index import Placed
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
     from deburr_grammar.text import Span
@@ -90,8 +91,8 @@ class Moves(Protocol):
     def extracted(self, view: View, first: int, last: int) -> Extraction:
         """Whole lines as a part of their own; Cannot where that would mean something else."""
 
-    def missing(self, view: View, symbol: Symbol) -> NewFile | None:
-        """The file that a name stands for, with the least that it must hold."""
+    def missing(self, view: View, placed: Placed) -> NewFile | None:
+        """The file that a name stands for where it stands, with the least that it must hold."""
 
 
 @cache

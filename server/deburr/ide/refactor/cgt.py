@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from deburr.ide.refactor import Cannot, Constant, Extraction, NewFile, Numbering, balanced, fresh_name
-from deburr.symbols import Mention, Sort, Symbol
+from deburr.symbols import Mention, Sort
 from deburr.symbols.index import all_symbols, region
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, walk
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
+    from deburr.symbols.index import Placed
     from deburr_grammar.line import LineNode
 
 LINES: Numbering | None = None
@@ -101,6 +102,6 @@ def extracted(view: View, first: int, last: int) -> Extraction:
     return Extraction(f"#CALL({name})", document.line_count, [f"@{name}", *lines, "@"])
 
 
-def missing(view: View, symbol: Symbol) -> NewFile | None:
+def missing(view: View, placed: Placed) -> NewFile | None:
     """Sections are no files."""
     return None

@@ -14,6 +14,7 @@ from deburr_grammar.tree import tokens
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
+    from deburr.symbols.index import Placed
     from deburr_grammar.line import LineNode
 
 LINES: Numbering | None = None
@@ -72,8 +73,9 @@ def extracted(view: View, first: int, last: int) -> Extraction:
     return Extraction(f"#FILE {name}", file=NewFile(f"{folder.root}/{name}", text))
 
 
-def missing(view: View, symbol: Symbol) -> NewFile | None:
+def missing(view: View, placed: Placed) -> NewFile | None:
     """An empty snippet."""
+    symbol = placed.mention.symbol
     folder = Folder(view.host, view.file, str(view.ruleset.settings["snippets-dir"]))
     if symbol.sort is not Sort.FILE or folder.silent or not symbol.name or leaves(symbol.name):
         return None

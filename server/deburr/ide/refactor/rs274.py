@@ -15,6 +15,7 @@ from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
+    from deburr.symbols.index import Placed
     from deburr_grammar.dialect import Bracket
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
@@ -161,8 +162,9 @@ def _before(document: Document, first: int) -> int:
     return start if depth > 0 else first
 
 
-def missing(view: View, symbol: Symbol) -> NewFile | None:
+def missing(view: View, placed: Placed) -> NewFile | None:
     """`name.ngc` beside the program, with an empty subprogram."""
+    symbol = placed.mention.symbol
     if symbol.sort is not Sort.SUB or not symbol.name:
         return None
     label = f"o{symbol.name}" if symbol.name.isdigit() else f"o<{symbol.name}>"

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 
 from deburr.ide.refactor import Cannot, Constant, Extraction, NewFile, Numbering
 from deburr.includes import z32 as stores
-from deburr.symbols import Act, Mention, Sort, Symbol, language_of
+from deburr.symbols import Act, Mention, Sort, language_of
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from deburr.ide.view import View
+    from deburr.symbols.index import Placed
     from deburr_grammar.document import Document
     from deburr_grammar.line import LineNode
 
@@ -21,7 +22,7 @@ LINES: Numbering | None = Numbering(_STEP, _STEP, _LARGEST)
 BLOCKS: Numbering | None = None
 EXTRACTED = "range of blocks"
 IN_ORDER = True
-MISSING: tuple[str, ...] = ("file-missing",)
+MISSING: tuple[str, ...] = ("file-missing", "program-missing")
 _ENDS = re.compile(r"(?i)^[ \t]*(?:N[ \t]*[0-9.,]+[ \t]*)?(?:M[ \t]*(?:0*2|30)|G[ \t]*26)(?![0-9.])")
 _LEAVES = re.compile(r"(?i)\bM[ \t]*(?:0*2|30)(?![0-9.])|G[ \t]*2[56](?![0-9.])|^[ \t]*[:%]")
 _LITERAL = re.compile(r"[ \t]*(=?)[ \t]*([-+]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+))[ \t]*")
@@ -111,10 +112,15 @@ def _refuse(numbers: list[tuple[int, Mention]], first: int, last: int) -> None:
             raise Cannot("a jump leads out of the lines or into them")
 
 
-def missing(view: View, symbol: Symbol) -> NewFile | None:
-    """The file of an L254 call below the file root, which returns at once."""
-    root = str(view.ruleset.settings["file-root"])
-    if symbol.sort is not Sort.FILE or not root:
-        return None
-    name = symbol.name.replace("\\", "/").strip("/")
-    return NewFile(f"{stores.beside(view.file, root)}/{name}", "G26\n")
+def missing(view: View, placed: Placed) -> NewFile | None:
+    """The file of an L254 call below the file root, or of a program in the memory, which returns at once."""
+    symbol = placed.mention.symbol
+    root, folder = str(view.ruleset.settings["file-root"]), str(view.ruleset.settings["cmos-dir"])
+    if symbol.sort is Sort.FILE and root:
+        name = symbol.name.replace("\\", "/").strip("/")
+        return NewFile(f"{stores.beside(view.file, root)}/{name}", "G26\n")
+    if symbol.sort is Sort.SECTION and symbol.name.isdigit() and folder:
+        before = view.document.line(placed.line)[: placed.mention.span.start]
+        store = f"{folder}-temp" if before.rstrip().upper().endswith("GOS") else folder
+        return NewFile(f"{stores.beside(view.file, store)}/{symbol.name}.z32", "G26\n")
+    return None

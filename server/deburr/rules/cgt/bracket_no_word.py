@@ -37,6 +37,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.brackets import extent, read_brackets, tests_of
@@ -52,3 +54,11 @@ def check(analysis: Analysis) -> Iterator[Report]:
             yield Report(
                 extent(body), "no word stands directly in this bracket, so it is always output", body.opener.line
             )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """What is always output stands there without its bracket."""
+    start, end = broken.span
+    if broken.finding.place.end_line == broken.line and broken.said[:1] == "<" and broken.said[-1:] == ">":
+        inner = broken.said[1:-1]
+        yield Fix("Take the bracket away", (broken.edit(start, end, inner),)) if inner else broken.deleted(start, end)

@@ -29,6 +29,8 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._template import template_of
 from deburr.templates.types import no_numbers
@@ -45,3 +47,11 @@ def check(analysis: Analysis) -> Iterator[Report]:
         for part in no_numbers(template.symbols, text, tests) if tests else ():
             message = f"`{text[part.start : part.end]}` is a text; compare it with `#IFSTR`"
             yield Report(Span(part.start, part.end), message, item.line)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """The command that compares texts."""
+    before = broken.text[: broken.span.start].upper()
+    at = before.rfind("#IF(")
+    if at >= 0:
+        yield Fix("Change to `#IFSTR`", (broken.edit(at, at + len("#IF"), "#IFSTR"),))

@@ -36,6 +36,8 @@ Good (variables=part.vars):
 from collections.abc import Iterator
 
 from deburr.fault import Fault
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Ran, Report, Severity, rule
 
 
@@ -43,3 +45,10 @@ from deburr.rule import Ran, Report, Severity, rule
 def check(fault: Fault) -> Iterator[Report]:
     """Report the reference."""
     yield Report(fault.span, fault.message)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """The value brings its sign along, so the one before the reference goes."""
+    at = broken.span.start - 1
+    if at >= 0 and broken.text[at] in "+-":
+        yield Fix(f"Delete the `{broken.text[at]}`", (broken.edit(at, at + 1, ""),))

@@ -24,8 +24,10 @@ Good:
 
 from collections.abc import Iterator
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Nodes, Report, Severity, rule
-from deburr_grammar.dialects.metagcode.forms import counters
+from deburr_grammar.dialects.metagcode.forms import counters, groups
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node
 
@@ -41,3 +43,11 @@ def check(line: Line, node: Node) -> Iterator[Report]:
                 f"`|{name}|` is counted by this loop already; it would have two values in one pass",
             )
         seen.add(name)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """The variable is counted as it is named first: its second maxStep and step type go with it."""
+    for header in broken.node.find("header"):
+        for group in groups(header):
+            if group.counter.start == broken.span.start:
+                yield broken.deleted(group.counter.start, group.mode.end)

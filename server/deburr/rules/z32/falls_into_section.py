@@ -42,6 +42,8 @@ from collections.abc import Iterator
 from posixpath import basename, dirname, normpath
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Note, Report, Severity, Whole, rule
 from deburr.rules.z32._called import Program, all_sections
 from deburr.rules.z32._flow import flow
@@ -97,3 +99,9 @@ def _is_stored(analysis: Analysis) -> bool:
         return True
     root = str(analysis.settings["file-root"])
     return bool(root) and basename(dirname(analysis.file)) == basename(normpath(root))
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """End the main part behind this block."""
+    end = len(broken.text)
+    yield Fix("Add `M30`", (broken.edit(end, end, f"\n{broken.indent}M30"),))

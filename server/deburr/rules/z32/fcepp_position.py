@@ -20,8 +20,11 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule, whole
 from deburr.rules.z32._program import first_block, lines
+from deburr_grammar.text import Edit, Pos
 
 
 @rule(Severity.ERROR, Whole())
@@ -36,3 +39,11 @@ def check(analysis: Analysis) -> Iterator[Report]:
                 "`$FCEPP` sets up what the first block already runs with; move it before that block",
                 line,
             )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """The line before the first block."""
+    first = first_block(broken.analysis)
+    if first is not None:
+        above = Edit(Pos(first, 0), Pos(first, 0), f"{broken.text}\n")
+        yield Fix("Move it before the first block", (above, broken.without_line()))

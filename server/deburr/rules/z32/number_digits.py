@@ -21,7 +21,10 @@ Good:
 """
 
 from collections.abc import Iterator
+from decimal import ROUND_HALF_UP, Decimal
 
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Line, Report, Severity, Text, rule
 from deburr_grammar.text import Span
 from deburr_grammar.tree import tokens
@@ -38,3 +41,16 @@ def check(line: Line) -> Iterator[Report]:
             if len(digits) > DIGITS:
                 message = f"`{line.said(token)}` has {len(digits)} significant digits; the control takes {DIGITS}"
                 yield Report(Span(token.start, token.end), message)
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """The number as far as the control takes it, rounded; nothing for one whose whole part is too long."""
+    sign = "," if "," in broken.said else "."
+    whole, _, fraction = broken.said.partition(sign)
+    left = DIGITS - len(whole.lstrip("0"))
+    if not whole.lstrip("0"):
+        left += len(fraction) - len(fraction.lstrip("0"))
+    if left >= 0 and (whole + fraction).isdigit():
+        exact = Decimal(f"{whole}.{fraction}")
+        rounded = exact.quantize(Decimal(1).scaleb(-left), ROUND_HALF_UP)
+        yield broken.replaced(f"{rounded:f}".replace(".", sign), safe=rounded == exact)

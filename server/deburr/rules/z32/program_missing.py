@@ -36,11 +36,13 @@ from collections.abc import Set as AbstractSet
 from functools import cache
 
 from deburr.analysis import Analysis
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.includes.z32 import programs
 from deburr.rule import Line, Report, Severity, Whole, rule
 from deburr.rules.z32._program import beside, called, lines
 from deburr_grammar.dialects.z32.forms import sections_in
-from deburr_grammar.text import Span
+from deburr_grammar.text import Edit, Pos, Span
 
 _SHOWN = 4
 """Programs that a message names."""
@@ -70,3 +72,12 @@ def _choice(number: int, known: AbstractSet[int]) -> str:
     """The programs that there are, the nearest if they are many."""
     near = sorted(sorted(known, key=lambda each: abs(each - number))[:_SHOWN])
     return f"{'there is' if len(known) == 1 else 'there are' if len(known) == len(near) else 'the nearest are'} {', '.join(map(str, near))}"
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """An empty section of that number at the end, where sections of this file are what is called."""
+    if "in this file" in broken.finding.message and broken.said.strip().isdigit():
+        number, end = broken.said.strip(), broken.document.line_count - 1
+        at = Pos(end, len(broken.document.line(end)))
+        section = f"{chr(10) if at.col else ''}:{number}\nG26\n"
+        yield Fix(f"Add the section `:{number}`", (Edit(at, at, section),))

@@ -25,6 +25,8 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.arithmetic.z32 import shown
+from deburr.finding import Fix
+from deburr.fix import Broken
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.z32._flow import open_ranges
 from deburr.rules.z32._program import is_active, jumps, labels
@@ -47,3 +49,15 @@ def check(analysis: Analysis) -> Iterator[Report]:
                 yield Report(
                     place.span, message, place.line, (Note(jump.line, jump.end_span, "the jump that returns there"),)
                 )
+
+
+def fix(broken: Broken) -> Iterator[Fix]:
+    """An empty block with the number behind the block; nothing where a jump goes to the block itself."""
+    number, rest = broken.said.strip(), broken.text[broken.span.end :].strip()
+    goals = {jump.target for jump in jumps(broken.analysis)}
+    is_goal = any(
+        place.line == broken.line for each in goals if each is not None for place in labels(broken.analysis, each)
+    )
+    if rest and None not in goals and not is_goal:
+        text = f"{broken.indent}{rest}\n{broken.indent}{number}"
+        yield Fix(f"Write `{number}` on a line of its own behind it", (broken.edit(0, len(broken.text), text),))
