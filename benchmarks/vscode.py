@@ -28,19 +28,6 @@ KEYS = 30
 _FROZEN_MS = 2_000
 """From here on a window counts as frozen, on a busy machine too."""
 _VSIX = Path(__file__).parents[1] / "vscode-extension" / "deburr.vsix"
-_WAIT_FOR_PAINT = """() => {
-    window.painted = new Promise(resolve => {
-        const lines = document.querySelector('.editor-instance .view-lines');
-        const started = { at: 0 };
-        document.addEventListener('keydown', () => { started.at = performance.now(); }, { capture: true, once: true });
-        const seen = new MutationObserver(() => {
-            if (!started.at) return;
-            seen.disconnect();
-            requestAnimationFrame(() => resolve(performance.now() - started.at));
-        });
-        seen.observe(lines, { childList: true, subtree: true, characterData: true });
-    });
-}"""
 
 
 def table(_files: Files, sizes: Sizes) -> Iterator[Row]:
@@ -90,15 +77,18 @@ def _opened(home: Path, file: str, text: str) -> Iterator[Workbench]:
 
 def _typed(home: Path, file: str) -> Sequence[float]:
     """Milliseconds from each of some keys to its repaint."""
+    from support.keys import key_to_repaint
+
     with _opened(home, file, corpus.cam(LINES)) as opened:
         opened.page.wait_for_timeout(20_000)
         opened.focus()
         opened.go_to(LINES // 2)
-        return [_key(opened, "17"[number % 2]) for number in range(KEYS)]
+        return [key_to_repaint(opened, "17"[number % 2]) for number in range(KEYS)]
 
 
 def _drawn(home: Path) -> Iterator[Row]:
     """Keys in another file of the window, before a toolpath is asked for and until it is there."""
+    from support.keys import key_to_repaint
     from support.plots import rows
 
     with _opened(home, "rows.ngc", rows(MOVES)) as opened:
@@ -106,7 +96,7 @@ def _drawn(home: Path) -> Iterator[Row]:
         page.wait_for_timeout(20_000)
         opened.command("File: New Untitled Text File")
         page.keyboard.type("text ")
-        before = [_key(opened, "17"[number % 2]) for number in range(KEYS)]
+        before = [key_to_repaint(opened, "17"[number % 2]) for number in range(KEYS)]
         page.keyboard.press("Control+1")
         opened.command("View: Open Previous Editor in Group")
         started = perf_counter()
@@ -115,7 +105,7 @@ def _drawn(home: Path) -> Iterator[Row]:
         opened.command("View: Open Next Editor in Group")
         while_drawn, ready = [], 0.0
         while not ready and perf_counter() - started < 300:
-            while_drawn.append(_key(opened, "17"[len(while_drawn) % 2]))
+            while_drawn.append(key_to_repaint(opened, "17"[len(while_drawn) % 2]))
             ready = perf_counter() - started if _moves(opened) else 0.0
         yield Row(f"{MOVES:,} moves: command to the whole toolpath", f"{ready:.1f} s")
         what = f"{MOVES:,} moves: key to repaint while they are drawn"
@@ -131,12 +121,6 @@ def _moves(opened: Workbench) -> int:
             if said:
                 return int(said)
     return 0
-
-
-def _key(opened: Workbench, key: str) -> float:
-    opened.page.evaluate(_WAIT_FOR_PAINT)
-    opened.page.keyboard.press(key)
-    return float(opened.page.evaluate("() => window.painted"))
 
 
 if __name__ == "__main__":

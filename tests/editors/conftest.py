@@ -15,6 +15,8 @@ from support.npm import EXTENSION, npm, prepared
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
+    from support.room import Room
+
 
 @pytest.fixture(scope="session")
 def extension() -> Path:
@@ -55,6 +57,16 @@ def trusted(vsix: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[st
 
     with code_server(tmp_path_factory.mktemp("code"), vsix) as address:
         yield address
+
+
+@pytest.fixture(scope="session")
+def room(window: Browser, trusted: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Room]:
+    """A window for all tests that need none of their own."""
+    from support.room import Room
+
+    found = Room(window, trusted, tmp_path_factory.mktemp("room"))
+    yield found
+    found.close()
 
 
 def sources(extension: Path) -> list[Path]:

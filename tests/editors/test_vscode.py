@@ -16,6 +16,7 @@ from playwright.sync_api import Browser, expect
 
 from support import pictures, vscode
 from support.editors import TASKS, Task, written
+from support.room import Room
 from support.vscode import Workbench, code_server, colours, workbench
 
 expect.set_options(timeout=vscode.PATIENCE_MS)
@@ -23,9 +24,9 @@ pytestmark = pytest.mark.skipif(not vscode.installed(), reason="there is no VS C
 
 
 @pytest.mark.parametrize("task", TASKS, ids=lambda task: task.dialect)
-def test_a_program_is_read_mended_and_expanded(task: Task, window: Browser, trusted: str, tmp_path: Path) -> None:
-    written(task, tmp_path)
-    with workbench(window, trusted, tmp_path, task.dialect) as opened:
+def test_a_program_is_read_mended_and_expanded(task: Task, room: Room) -> None:
+    with room.used(task.dialect) as opened:
+        written(task, opened.files)
         page = opened.page
         opened.open(task.main)
         row = int(task.error[0].partition(":")[0])
@@ -69,7 +70,6 @@ def test_a_program_is_read_mended_and_expanded(task: Task, window: Browser, trus
         expect(page.locator(".tab.active", has_text=file).first).to_be_visible()
         expect(page.locator("#status\\.editor\\.selection")).to_have_text(re.compile(rf"Ln {line}, "))
         wait_for_mark(opened, 1, task.back[0])
-        assert opened.outside == []
 
 
 def place(task: Task, text: str, mended: str = "") -> tuple[int, int]:
@@ -102,20 +102,16 @@ def wait_for_mark(opened: Workbench, number: int, row: int) -> None:
     raise AssertionError(f"row {row} is not marked, but {marked_rows(opened, number)}")
 
 
-def test_the_server_is_started_again_with_the_text_as_it_is(window: Browser, trusted: str, tmp_path: Path) -> None:
-    (tmp_path / "a.ngc").write_text("G21 G90\nM2\n")
-    with workbench(window, trusted, tmp_path, "restart") as opened:
+def test_the_server_is_started_again_with_the_text_as_it_is(room: Room) -> None:
+    with room.used("restart") as opened:
+        (opened.files / "a.ngc").write_text("G21 G90\nM2\n")
         opened.open("a.ngc")
-        expect(
-            opened.page.locator(
-                "#status\\.deburr, [id='deburr.deburr.deburr'], .statusbar-item", has_text="deburr"
-            ).first
-        ).to_be_visible()
+        expect(opened.page.locator(".statusbar-item", has_text="deburr: RS274/NGC").first).to_be_visible()
         opened.focus()
         opened.page.keyboard.type("o1 cal\n")
         opened.editor().locator(".squiggly-error").first.wait_for(state="attached")
         # That of `trusted` stands beside the tests' own folders; those of other workers are left alone.
-        running = servers(tmp_path.parent)
+        running = servers(opened.files.parents[1])
         assert running
         for server in running:
             os.kill(server, signal.SIGKILL)
@@ -125,46 +121,50 @@ def test_the_server_is_started_again_with_the_text_as_it_is(window: Browser, tru
 
 
 def servers(folder: Path) -> list[int]:
-    """The language servers that are running from an extension within a folder."""
+    """The language servers that are running from an extension within a folder, on either runtime."""
     said = subprocess.run(["ps", "-ww", "-eo", "pid,args"], capture_output=True, text=True, check=True).stdout
-    return [int(line.split()[0]) for line in said.split("\n") if "bundled/serve.py" in line and f"{folder}/" in line]
+    ours = re.compile(rf" *(\d+) .*{re.escape(str(folder))}/\S*/bundled/(?:serve\.py|pyodide\.mjs)")
+    return [int(found[1]) for found in map(ours.match, said.split("\n")) if found]
 
 
-def test_without_trust_there_are_colours_only(vsix: Path, window: Browser, tmp_path: Path) -> None:
+def test_without_trust_there_are_colours_only_and_then_without_python_the_bundled_runtime_serves(
+    vsix: Path, window: Browser, tmp_path: Path
+) -> None:
     (tmp_path / "job").mkdir()
-    (tmp_path / "job" / "a.ngc").write_text("o1 cal\nM2\n")
+    (tmp_path / "job" / "a.ngc").write_text("#1=0\no1 repeat [2]\n  #1=[#1+5]\n  G0 X#1\no1 endrepeat\no1 cal\nM2\n")
     settings = {"security.workspace.trust.startupPrompt": "never"}
     with (
-        code_server(tmp_path / "code", vsix, settings, trust=False) as address,
-        workbench(window, address, tmp_path / "job", "untrusted") as opened,
+        code_server(tmp_path / "code", vsix, settings, trust=False, path=without_python(tmp_path / "bin")) as address,
+        workbench(window, address, tmp_path / "job", "no-trust-no-python") as opened,
     ):
+        page = opened.page
         opened.open("a.ngc")
         assert colours(opened.line("o1 cal"))
-        expect(opened.page.locator(".statusbar-item", has_text="Restricted Mode").first).to_be_visible()
-        opened.page.wait_for_timeout(3000)
+        expect(page.locator(".statusbar-item", has_text="Restricted Mode").first).to_be_visible()
+        page.wait_for_timeout(3000)
         assert opened.editor().locator(".squiggly-error").count() == 0
         assert servers(tmp_path) == []
 
-
-def test_without_python_the_bundled_runtime_serves(vsix: Path, window: Browser, tmp_path: Path) -> None:
-    (tmp_path / "job").mkdir()
-    (tmp_path / "job" / "a.ngc").write_text("#1=0\no1 repeat [2]\n  #1=[#1+5]\n  G0 X#1\no1 endrepeat\nM2\n")
-    with (
-        code_server(tmp_path / "code", vsix, path=without_python(tmp_path / "bin")) as address,
-        workbench(window, address, tmp_path / "job", "no-python") as opened,
-    ):
+        opened.command("Workspaces: Manage Workspace Trust")
+        page.locator(".workspace-trust-editor").get_by_role("button", name="Trust", exact=True).click()
         opened.open("a.ngc")
+        opened.editor().locator(".squiggly-error").first.wait_for(state="attached")
+        (server,) = servers(tmp_path)
+        assert "pyodide" in Path(f"/proc/{server}/cmdline").read_text()
+
+        opened.go_to(6)
+        page.keyboard.press("Control+Shift+K")
+        expect(opened.editor().locator(".squiggly-error")).to_have_count(0)
+        opened.go_to(4, 8)
+        expect(opened.hover()).to_contain_text("#1")
+        page.keyboard.press("Escape")
         opened.command("deburr: Show Expanded Program")
         opened.line("G0 X10", 1).wait_for()
-        opened.focus()
-        opened.go_to(6)
-        opened.page.keyboard.type("o1 cal\n")
-        opened.editor().locator(".squiggly-error").first.wait_for(state="attached")
+        assert [line.strip() for line in opened.lines(1) if line] == ["G0 X5", "G0 X10", "M2"]
         opened.command("deburr: Show Version")
         opened.command("Notifications: Show Notifications")
-        expect(
-            opened.page.locator(".notification-list-item-message", has_text="the bundled runtime").first
-        ).to_be_visible()
+        expect(page.locator(".notification-list-item-message", has_text="the bundled runtime").first).to_be_visible()
+        assert opened.outside == []
 
 
 def without_python(folder: Path) -> str:
@@ -178,20 +178,19 @@ def without_python(folder: Path) -> str:
     return str(folder)
 
 
-def test_a_broken_setting_is_said_with_a_way_out(vsix: Path, window: Browser, tmp_path: Path) -> None:
-    (tmp_path / "job").mkdir()
-    (tmp_path / "job" / "a.ngc").write_text("M2\n")
-    settings = {"deburr.interpreter": ["/no/such/python"]}
-    with (
-        code_server(tmp_path / "code", vsix, settings) as address,
-        workbench(window, address, tmp_path / "job", "broken-setting") as opened,
-    ):
+def test_a_broken_setting_is_said_with_a_way_out(window: Browser, trusted: str, tmp_path: Path) -> None:
+    (tmp_path / ".vscode").mkdir()
+    (tmp_path / ".vscode" / "settings.json").write_text('{"deburr.interpreter": ["/no/such/python"]}')
+    (tmp_path / "a.ngc").write_text("o1 cal\nM2\n")
+    with workbench(window, trusted, tmp_path, "broken-setting") as opened:
         opened.open("a.ngc")
-        toast = opened.page.locator(
-            ".notification-toast", has_text="`/no/such/python` in deburr.interpreter is not there"
-        )
+        said = "`/no/such/python` in deburr.interpreter is not there"
+        toast = opened.page.locator(".notification-toast", has_text=said)
         expect(toast).to_be_visible()
+        (tmp_path / ".vscode" / "settings.json").write_text("{}")
         expect(toast.get_by_role("button", name="Open Settings")).to_be_visible()
+        toast.get_by_role("button", name="Try Again").click()
+        opened.editor().locator(".squiggly-error").first.wait_for(state="attached")
 
 
 ROUND = """G21 G90 G17 F300
@@ -210,11 +209,9 @@ ARCS = [3, 7, 11]
 """Moves that line 7 makes: behind the first rapid each pass makes four, the third of them is the arc."""
 
 
-def test_the_toolpath_is_drawn_and_moves_and_lines_find_each_other(
-    window: Browser, trusted: str, tmp_path: Path
-) -> None:
-    (tmp_path / "round.ngc").write_text(ROUND)
-    with workbench(window, trusted, tmp_path, "toolpath") as opened:
+def test_the_toolpath_is_drawn_and_moves_and_lines_find_each_other(window: Browser, room: Room) -> None:
+    with room.used("toolpath") as opened:
+        (opened.files / "round.ngc").write_text(ROUND)
         page = opened.page
         opened.open("round.ngc")
         opened.command("deburr: Show Toolpath")
@@ -241,4 +238,3 @@ def test_the_toolpath_is_drawn_and_moves_and_lines_find_each_other(
         opened.go_to(4, 17)
         page.keyboard.type("1")
         view.locator("#deburr[data-ready='53']").wait_for()
-        assert opened.outside == []

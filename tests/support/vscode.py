@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from playwright.sync_api import Browser, Locator, Page, sync_playwright
+from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 from playwright.sync_api import TimeoutError as PlaywrightTimeout
 
 HOME = Path(os.environ.get("DEBURR_EDITORS", Path.home() / ".cache" / "deburr-editors"))
@@ -27,6 +27,8 @@ CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 
 QUIET = {
     "telemetry.telemetryLevel": "off",
+    # Extensions that would run inside the page: there are none.
+    "extensions.webWorker": False,
     "update.mode": "none",
     "extensions.autoUpdate": False,
     "extensions.autoCheckUpdates": False,
@@ -128,18 +130,40 @@ class Workbench:
         self.page = page
         self.outside: list[str] = []
         """Requests that would leave this machine."""
+        self.files = folder
+        """Where the files are that a test opens: the folder of the window, or one below it."""
         self._address = address
         self._folder = folder
+        self._there = False
         page.set_default_timeout(PATIENCE_MS)
         page.on("request", lambda request: self._asked(request.url))
 
     def open(self, file: str) -> None:
-        """Open the window with a file of its folder in the editor."""
-        host = self._address.removeprefix("http://")
-        payload = json.dumps([["openFile", f"vscode-remote://{host}{self._folder}/{file}"]])
-        self.page.goto(f"{self._address}/?folder={quote(str(self._folder))}&payload={quote(payload)}")
-        self.page.locator(".monaco-workbench").wait_for()
+        """Open a file in the editor; for the first one, the window too."""
+        if self._there:
+            self._until(f".tab.active [aria-label*='{file}']", lambda: self._named(self.files / file))
+        else:
+            host = self._address.removeprefix("http://")
+            payload = json.dumps([["openFile", f"vscode-remote://{host}{self.files}/{file}"]])
+            self.page.goto(f"{self._address}/?folder={quote(str(self._folder))}&payload={quote(payload)}")
+            self.page.locator(".monaco-workbench").wait_for()
+        self._there = True
         self.editor().locator(".view-line").first.wait_for()
+
+    def _named(self, path: Path) -> None:
+        """Name a file to the editor's own dialog."""
+        self.page.keyboard.press("Control+o")
+        field = self.page.locator(".quick-input-widget input").first
+        field.fill(str(path))
+        field.press("Enter")
+
+    def close_all(self) -> None:
+        """Close everything, and keep nothing of it."""
+        self.page.keyboard.press("Escape")
+        self.command("View: Close All Editors")
+        tabs, asked = self.page.locator(".tab"), self.page.get_by_role("button", name="Don't Save")
+        self.page.add_locator_handler(asked, lambda button: button.click(), times=1)
+        expect(tabs).to_have_count(0)
 
     def editor(self, number: int = 0) -> Locator:
         """The text of the n-th editor group, from the left."""
@@ -168,7 +192,7 @@ class Workbench:
     def _palette(self, title: str) -> None:
         """Type a command into the palette, which lists what there is when it opens."""
         self.page.keyboard.press("F1")
-        self.page.locator(".quick-input-widget input").first.fill(f">{title}")
+        self.page.locator(".quick-input-widget input").first.fill(f">{title}", timeout=PATIENCE_MS / 10)
 
     def hover(self) -> Locator:
         """What is said of the word under the cursor."""
@@ -184,8 +208,8 @@ class Workbench:
         """Ask until it is there: a busy editor answers with what it has, or takes the box away again."""
         found = self.page.locator(place, has_text=text).first
         for _ in range(10):
-            asked()
             with contextlib.suppress(PlaywrightTimeout):
+                asked()
                 found.wait_for(timeout=PATIENCE_MS / 10)
                 break
             self.page.keyboard.press("Escape")
@@ -222,13 +246,23 @@ class Workbench:
 @contextlib.contextmanager
 def workbench(window: Browser, address: str, folder: Path, name: str) -> Iterator[Workbench]:
     """A window of VS Code; how it looked at the end is kept where `DEBURR_PICTURES` says."""
-    page = window.new_page(viewport={"width": 1400, "height": 850})
+    page = new_page(window)
     try:
         yield Workbench(page, address, folder)
     finally:
-        if kept := os.environ.get("DEBURR_PICTURES"):
-            page.screenshot(path=f"{kept}/{name}.png")
+        kept(page, name)
         page.close()
+
+
+def new_page(window: Browser) -> Page:
+    """A page as large as the window of somebody who works in it."""
+    return window.new_page(viewport={"width": 1400, "height": 850})
+
+
+def kept(page: Page, name: str) -> None:
+    """Keep how a page looks, if somebody wants to see it."""
+    if folder := os.environ.get("DEBURR_PICTURES"):
+        page.screenshot(path=f"{folder}/{name}.png")
 
 
 def colours(line: Locator) -> Sequence[tuple[str, str]]:

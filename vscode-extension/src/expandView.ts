@@ -110,7 +110,7 @@ export class ExpandView implements vscode.TextDocumentContentProvider, vscode.Ho
 
   provideCodeLenses(document: vscode.TextDocument): vscode.CodeLens[] {
     const banner = this.shown.get(sourceOf(document.uri).toString())?.banner;
-    return banner ? [new vscode.CodeLens(new vscode.Range(0, 0, 0, 0), { title: `$(warning) ${banner}`, command: '' })] : [];
+    return banner ? [new vscode.CodeLens(new vscode.Range(0, 0, 0, 0), { title: `$(warning) ${banner}`, tooltip: banner, command: '' })] : [];
   }
 
   private mapOf(preview: vscode.Uri): FlatMap | undefined {

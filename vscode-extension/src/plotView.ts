@@ -21,12 +21,14 @@ export class PlotView implements vscode.Disposable {
   private readonly shown = new Map<string, Shown>();
   private readonly listeners: vscode.Disposable[];
   private readonly place: vscode.Uri;
+  private readonly icon: vscode.Uri;
 
   constructor(
     context: vscode.ExtensionContext,
     private readonly server: Server,
     private readonly values: Values,
   ) {
+    this.icon = vscode.Uri.joinPath(context.extensionUri, 'icons', 'toolpath.svg');
     // The page of `deburr plot` holds the same script.
     this.place = vscode.Uri.joinPath(context.extensionUri, 'bundled', 'libs', 'deburr', 'plot');
     this.listeners = [
@@ -56,6 +58,7 @@ export class PlotView implements vscode.Disposable {
       { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true },
       { enableScripts: true, localResourceRoots: [this.place], retainContextWhenHidden: true },
     );
+    panel.iconPath = this.icon;
     const shown: Shown = { panel, turn: 0 };
     this.shown.set(key, shown);
     panel.onDidDispose(() => {

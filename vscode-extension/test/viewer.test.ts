@@ -3,6 +3,7 @@ import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
 import { RAPID, SHIFT, Text, Toolpath, countUpTo, type Chunk, type Header } from '../viewer/data.ts';
 import { pick, type Projection } from '../viewer/pick.ts';
+import { inSteps } from '../viewer/steps.ts';
 import { thinned } from '../viewer/thin.ts';
 
 const FEED = 1;
@@ -116,14 +117,14 @@ test('an arc is one move with all its chords', async () => {
 
 test('few segments are all drawn, but for shifts', async () => {
   const made = await path([{ points: [[1, 0, 0], [2, 0, 0]] }, { kind: SHIFT, points: [[2, 0, 9]] }, { points: [[3, 0, 9]] }]);
-  const { pairs, moves, tolerance } = thinned(made, 10);
+  const { pairs, moves, tolerance } = await inSteps(thinned(made, 10));
   assert.deepEqual([[...pairs], [...moves], tolerance], [[0, 1, 1, 2, 3, 4], [0, 0, 2], 0]);
 });
 
 test('of many segments those that are left out lie within the tolerance of one that is drawn', async () => {
   const moves = Array.from({ length: 3000 }, (_, i): Move => ({ points: [[(i * 37) % 101, Math.floor(i / 30) * 0.5, (i % 7) * 0.5]] }));
   const made = await path(moves);
-  const { pairs, moves: of, tolerance } = thinned(made, 400);
+  const { pairs, moves: of, tolerance } = await inSteps(thinned(made, 400));
   assert.ok(of.length <= 400 && tolerance > 0);
   assert.ok([...of].every((move, i) => i === 0 || move >= of[i - 1]!), 'in the order of the moves');
   const at = (vertex: number): number[] => [...made.points.subarray(3 * vertex, 3 * vertex + 3)];
@@ -141,3 +142,16 @@ function away(point: number[], start: number[], end: number[]): number {
   const t = Math.min(1, Math.max(0, part));
   return Math.hypot(...point.map((value, axis) => value - start[axis]! - t * way[axis]!));
 }
+
+test('others go on between the steps of long work', async () => {
+  let turns = 0;
+  const clock = setInterval(() => turns++);
+  const began = performance.now();
+  function* work(): Generator<void, string> {
+    while (performance.now() - began < 200) yield;
+    return 'done';
+  }
+  assert.equal(await inSteps(work()), 'done');
+  clearInterval(clock);
+  assert.ok(turns >= 3, `only ${turns} turns`);
+});

@@ -62,7 +62,8 @@ export class Toolpath {
   /** The moves that are there so far. */
   count = 0;
   private readonly frames: number[][] = FRAME.map(() => []);
-  private box: { count: number; corners: [number[], number[]] | undefined } | undefined;
+  private readonly low = [Infinity, Infinity, Infinity];
+  private readonly high = [-Infinity, -Infinity, -Infinity];
 
   constructor(readonly header: Header) {
     const n = header.moves;
@@ -96,6 +97,7 @@ export class Toolpath {
     FRAME.forEach((name, i) => of(name).forEach((value) => this.frames[i]!.push(value)));
     this.flat.append(await bytes(chunk.text));
     this.count += n;
+    this.reach(this.count - n);
   }
 
   /** The last vertex so far. */
@@ -134,24 +136,21 @@ export class Toolpath {
 
   /** The lowest and the highest corner of what is drawn; arcs count as their chords. */
   bounds(): [number[], number[]] | undefined {
-    if (this.box?.count !== this.count) this.box = { count: this.count, corners: this.around() };
-    return this.box.corners;
+    return this.low[0]! <= this.high[0]! ? [this.low, this.high] : undefined;
   }
 
-  private around(): [number[], number[]] | undefined {
-    const low = [Infinity, Infinity, Infinity];
-    const high = [-Infinity, -Infinity, -Infinity];
-    for (let move = 0; move < this.count; move++) {
+  private reach(first: number): void {
+    const { low, high, points } = this;
+    for (let move = first; move < this.count; move++) {
       if (this.kind[move] === SHIFT) continue;
       for (let i = this.startOf(move); i <= this.ends[move]!; i++) {
         for (let axis = 0; axis < 3; axis++) {
-          const value = this.points[3 * i + axis]!;
+          const value = points[3 * i + axis]!;
           if (value < low[axis]!) low[axis] = value;
           if (value > high[axis]!) high[axis] = value;
         }
       }
     }
-    return low[0]! <= high[0]! ? [low, high] : undefined;
   }
 }
 

@@ -108,8 +108,9 @@ function inEditor(root: HTMLElement, editor: Editor): void {
       // Only the first one is waited for with nothing to look at.
       if (header && !viewer.path) state.textContent = `The toolpath is being fetched: ${chunks.length} of ${header.chunks} parts.`;
       if (!header || chunks.length < header.chunks) return;
-      await viewer.show(header, chunks);
+      const whole = chunks;
       chunks = [];
+      await viewer.show(header, whole);
       viewer.colour();
       follow();
       root.dataset['ready'] = String(viewer.path?.count ?? 0);

@@ -8,15 +8,18 @@ export interface Drawn {
   readonly tolerance: number;
 }
 
+/** Moves between two pauses. */
+const STEP = 0x2000;
+
 /** The segments of a toolpath if they are at most `most`; else as many as are left if vertices of a cell are one, with the smallest cells that do. */
-export function thinned(path: Toolpath, most: number): Drawn {
+export function* thinned(path: Toolpath, most: number): Generator<void, Drawn> {
   const total = path.vertices;
-  if (total <= most) return every(path, total);
   const bounds = path.bounds();
-  if (!bounds) return every(path, total);
+  if (total <= most || !bounds) return every(path, total);
   const size = Math.max(...bounds[1].map((high, axis) => high - bounds[0][axis]!));
+  const shifts = path.kind.reduce((sum, kind) => sum + Number(kind === SHIFT), 0);
   for (let tolerance = size / 2000; ; tolerance *= 1.4) {
-    const found = clustered(path, bounds[0], tolerance, most);
+    const found = yield* clustered(path, bounds[0], tolerance, most, shifts);
     if (found) return found;
   }
 }
@@ -37,12 +40,12 @@ function every(path: Toolpath, total: number): Drawn {
 }
 
 /** All vertices of a cell are drawn as its first one: a cell's diagonal is the tolerance. The same segment is drawn once. */
-function clustered(path: Toolpath, low: readonly number[], tolerance: number, most: number): Drawn | undefined {
+function* clustered(path: Toolpath, low: readonly number[], tolerance: number, most: number, shifts: number): Generator<void, Drawn | undefined> {
   const cell = tolerance / Math.sqrt(3);
   const pairs = new Uint32Array(2 * most);
   const moves = new Uint32Array(most);
   // A new cell is reached by a new segment, or by a shift, of which there are few: no more cells than segments and these.
-  const firsts = new Table(most + 2 + shifts(path));
+  const firsts = new Table(most + 2 + shifts);
   const met = new Table(most + 1);
   const { points, ends, kind } = path;
   const [left, front, bottom] = low as [number, number, number];
@@ -57,6 +60,7 @@ function clustered(path: Toolpath, low: readonly number[], tolerance: number, mo
   let from = first(0);
   for (let move = 0; move < path.count; move++) {
     const rapid = kind[move] === RAPID ? 1 : 0;
+    if (move % STEP === 0) yield;
     for (const end = ends[move]!; vertex < end; ) {
       const to = first(++vertex);
       if (from !== to && kind[move] !== SHIFT) {
@@ -73,10 +77,6 @@ function clustered(path: Toolpath, low: readonly number[], tolerance: number, mo
     }
   }
   return { pairs: pairs.slice(0, 2 * count), moves: moves.slice(0, count), tolerance };
-}
-
-function shifts(path: Toolpath): number {
-  return path.kind.reduce((sum, kind) => sum + Number(kind === SHIFT), 0);
 }
 
 /** What came first with a key: a hash table of fixed size, several times as fast as a Map. */

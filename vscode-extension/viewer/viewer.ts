@@ -3,6 +3,7 @@ import { RAPID, type Header, type Chunk, Toolpath } from './data.ts';
 import { pick } from './pick.ts';
 import { Scene, TOOLS, type View } from './scene.ts';
 import { element, button, check } from './elements.ts';
+import { inSteps } from './steps.ts';
 import { thinned, type Drawn } from './thin.ts';
 
 /** More segments than these are not drawn one by one; they are all there for the pointer. */
@@ -22,6 +23,7 @@ export class Viewer {
   /** The moves that shine. */
   lit: readonly number[] = [];
   private drawn: Drawn | undefined;
+  private turn = 0;
   private readonly canvas = element('canvas', {});
   private readonly stage = element('div', { id: 'stage' }, this.canvas);
   private readonly names = ['X', 'Y', 'Z'].map((name) => element('span', { className: 'axis', textContent: name }));
@@ -61,14 +63,17 @@ export class Viewer {
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.colour());
   }
 
-  /** Show a toolpath: what is said of it, then its chunks as they come. */
+  /** Show a toolpath: what is said of it, then its chunks as they come. Until all is there the one before stays, and one that was overtaken is dropped. */
   async show(header: Header, chunks: AsyncIterable<Chunk> | Iterable<Chunk>): Promise<void> {
+    const turn = ++this.turn;
     const path = new Toolpath(header);
     for await (const chunk of chunks) await path.add(chunk);
+    const drawn = await inSteps(thinned(path, DRAWN));
+    if (turn !== this.turn) return;
     this.path = path;
     this.lit = [];
-    this.drawn = thinned(path, DRAWN);
-    this.scene?.show(path, this.drawn);
+    this.drawn = drawn;
+    this.scene?.show(path, drawn);
     this.slider.max = String(path.count);
     this.slider.value = this.slider.max;
     this.run();
@@ -184,10 +189,11 @@ export class Viewer {
       return element('p', { className: 'bounds', textContent: `${what}: ${ranges}` });
     });
     this.facts.replaceChildren(...rows, ...facts.map((note) => element('p', { className: 'note', textContent: note })));
-    const used = new Set(path.tool.filter((_, move) => path.kind[move] !== RAPID));
+    const used = header.tools.map(() => false);
+    for (let move = 0; move < path.count; move++) if (path.kind[move] !== RAPID) used[path.tool[move]!] = true;
     this.legend.replaceChildren(
       ...header.tools.flatMap((number, i) => {
-        if (!used.has(i)) return [];
+        if (!used[i]) return [];
         const entry = element('span', { className: 'entry', textContent: number ? `tool ${number}` : 'no tool' });
         entry.style.setProperty('--shade', TOOLS[i % TOOLS.length]!);
         return [entry];

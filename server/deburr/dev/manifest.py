@@ -27,6 +27,14 @@ SCOPES = {
 }
 """The server's semantic token types, and the scopes that themes colour."""
 
+DEFAULTS = {
+    # `#5420` is a parameter, not a colour.
+    "editor.defaultColorDecorators": "never",
+    # Behind what opens a block stands its condition, which is no heading.
+    "editor.minimap.showRegionSectionHeaders": False,
+}
+"""What an editor does that makes no sense in these languages."""
+
 
 def files_for_vscode(manifest: str, schema: dict[str, Any]) -> dict[str, str]:
     """Path and content of all generated files of the extension; ``manifest`` is its `package.json` as it stands."""
@@ -45,11 +53,10 @@ def _manifest(manifest: dict[str, Any], schema: dict[str, Any]) -> dict[str, Any
     dialects = [by_name(name) for name in NAMES]
     own = manifest["contributes"]
     made = {
-        "languages": [*(_language(each) for each in dialects), {"id": FLAT, "aliases": ["Expanded G-code"]}],
+        "languages": [*(_language(each) for each in dialects), _flat()],
         "grammars": [_grammar(name) for name in (*NAMES, FLAT)],
         "semanticTokenScopes": [{"language": name, "scopes": SCOPES} for name in NAMES],
-        # `#5420` is a parameter, not a colour.
-        "configurationDefaults": {f"[{name}]": {"editor.defaultColorDecorators": "never"} for name in (*NAMES, FLAT)},
+        "configurationDefaults": {f"[{name}]": DEFAULTS for name in (*NAMES, FLAT)},
         "configuration": [own["configuration"][0], *_settings(schema)],
     }
     return {**manifest, "contributes": {**own, **made}}
@@ -57,15 +64,22 @@ def _manifest(manifest: dict[str, Any], schema: dict[str, Any]) -> dict[str, Any
 
 def _language(dialect: Dialect) -> dict[str, Any]:
     said = editor_of(dialect)
-    icon = dict.fromkeys(("light", "dark"), f"./icons/{dialect.name}.svg")
     return {
         "id": dialect.name,
         "aliases": said["aliases"],
         "extensions": list(dialect.extensions),
         "firstLine": said["first-line"],
         "configuration": f"./languages/{dialect.name}.json",
-        "icon": icon,
+        "icon": _icon(dialect.name),
     }
+
+
+def _flat() -> dict[str, Any]:
+    return {"id": FLAT, "aliases": ["Expanded G-code"], "icon": _icon(FLAT)}
+
+
+def _icon(name: str) -> dict[str, str]:
+    return dict.fromkeys(("light", "dark"), f"./icons/{name}.svg")
 
 
 def _grammar(name: str) -> dict[str, Any]:
