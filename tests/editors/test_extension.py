@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+import subprocess
 import zipfile
 from pathlib import Path
 
@@ -14,11 +16,21 @@ from support.npm import EXTENSION, npm
 
 MOST = 10_000_000
 """Bytes that the package may have."""
+LEAST = 40
+"""Colours of a language that are told one by one."""
 
 
 @pytest.mark.parametrize("script", ["check", "test", "colours"])
 def test_its_own_checks_pass(extension: Path, script: str) -> None:
     npm("run", script)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_colours_of_each_language_are_looked_at_closely(name: str) -> None:
+    first, *lines = (EXTENSION / "test" / "colours" / f"{name}.txt").read_text(encoding="utf-8").split("\n")
+    sign = re.escape(first.partition(" SYNTAX TEST ")[0])
+    asserted = [line for line in lines if re.match(rf"{sign} *(?:<~*-+|\^+) [a-z]", line)]
+    assert len(asserted) >= LEAST
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -36,6 +48,13 @@ def test_the_package_is_small_and_holds_all_that_runs(vsix: Path) -> None:
     assert {f"extension/{each}" for each in needed} <= names
     assert not [each for each in names if each.endswith((".so", ".pyd", ".map", ".ts"))]
     assert not [each for each in names if "node_modules" in each or "__pycache__" in each]
+
+
+def test_nothing_is_amiss_when_it_is_packed(vsix: Path, tmp_path: Path) -> None:
+    script = json.loads((EXTENSION / "package.json").read_text(encoding="utf-8"))["scripts"]["package"]
+    command = script.split(" && ")[-1].replace("deburr.vsix", str(tmp_path / "deburr.vsix"))
+    ran = subprocess.run(["npx", *command.split()], cwd=EXTENSION, capture_output=True, text=True, check=True)
+    assert "WARN" not in ran.stdout + ran.stderr
 
 
 def test_the_viewer_in_the_python_package_is_what_its_sources_make(extension: Path, tmp_path: Path) -> None:
