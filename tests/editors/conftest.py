@@ -77,6 +77,8 @@ def sources(extension: Path) -> list[Path]:
         extension / "scripts",
         extension / "syntaxes",
         extension / "walkthrough",
+        extension / "icons",
+        extension / "pictures",
         root / "server",
         root / "grammar",
     ]
@@ -84,6 +86,8 @@ def sources(extension: Path) -> list[Path]:
         each
         for folder in folders
         for each in folder.rglob("*")
-        if each.suffix in (".ts", ".mjs", ".json", ".md", ".py", ".tables") or each.parent.name == "walkthrough"
+        if each.suffix in (".ts", ".mjs", ".js", ".json", ".md", ".py", ".tables")
+        or each.parent.name in ("walkthrough", "icons", "pictures")
     ]
-    return [*files, *extension.glob("*.json"), *(extension / "bundled").glob("*.*")]
+    own = [each for pattern in ("*.json", "*.md", "bundled/*.*") for each in extension.glob(pattern)]
+    return [*files, *own]
