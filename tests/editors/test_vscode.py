@@ -108,7 +108,8 @@ def test_the_server_is_started_again_with_the_text_as_it_is(room: Room) -> None:
         opened.open("a.ngc")
         expect(opened.page.locator(".statusbar-item", has_text="deburr: RS274/NGC").first).to_be_visible()
         opened.focus()
-        opened.page.keyboard.type("o1 cal\n")
+        # In one piece: Enter could take a suggestion that comes late.
+        opened.page.keyboard.insert_text("o1 cal\n")
         opened.editor().locator(".squiggly-error").first.wait_for(state="attached")
         # That of `trusted` stands beside the tests' own folders; those of other workers are left alone.
         running = servers(opened.files.parents[1])
@@ -116,7 +117,8 @@ def test_the_server_is_started_again_with_the_text_as_it_is(room: Room) -> None:
         for server in running:
             os.kill(server, signal.SIGKILL)
         opened.page.wait_for_timeout(1500)
-        opened.page.keyboard.type("o2 cal\n")
+        opened.page.keyboard.insert_text("o2 cal\n")
+        opened.line("o2 cal").wait_for()
         expect(opened.editor().locator(".squiggly-error")).to_have_count(2)
 
 

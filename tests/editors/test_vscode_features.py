@@ -240,7 +240,7 @@ def test_typing_in_a_large_program_stays_near_that_in_plain_text(window: Browser
             opened.go_to(LINES // 2)
             if file == "large.ngc":
                 # So long as the file is still being read through, a key may wait for it as well.
-                opened.page.keyboard.type("o1 cal\n")
+                opened.page.keyboard.insert_text("o1 cal\n")
                 opened.editor().locator(".squiggly-error").first.wait_for(state="attached")
             taken[file] = median(key_to_repaint(opened, "17"[number % 2]) for number in range(15))
             opened.close_all()
