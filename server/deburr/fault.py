@@ -54,6 +54,8 @@ class Fault(NamedTuple):
     """Whether only something that was not given can decide at this place; of some rules that holds everywhere, `Rule.input`."""
     given: str = ""
     """The value that was given for the run, `NAME=VALUE`, if the fault lies in it: then no place in a program is wrong."""
+    passed: bool = False
+    """Whether the run never came to it, so that it is only warned of; see `Inputs.reached_only`."""
 
 
 class Halt(Exception):

@@ -22,6 +22,7 @@ BLOCKS = 200_000
 """Executed blocks after which a run that only checks is left."""
 SHOWN = 10
 """Calls and loops that a finding lists."""
+_PASSED = "does not stop this run"
 _SAID = {
     Entered.CALL: "called here",
     Entered.FILE: "read from here",
@@ -96,7 +97,10 @@ def worded(fault: Fault, ruleset: RuleSet, line: str) -> Finding:
     place = (
         Place(fault.file, fault.line, start, fault.line, end) if start != end else all_of(fault.file, fault.line, line)
     )
-    return Finding(rule.name, ruleset.severity(rule), report.message, place, tuple(_stack(fault.stack)))
+    related = tuple(_stack(fault.stack))
+    if fault.passed:
+        return Finding(rule.name, Severity.WARNING, f"{report.message} ({_PASSED})", place, related)
+    return Finding(rule.name, ruleset.severity(rule), report.message, place, related)
 
 
 def all_of(file: str, row: int, line: str) -> Place:
@@ -135,14 +139,16 @@ def around(file: str, row: int, kind: Entered, number: int) -> Related:
     return Related(Place(file, row, 0, row, 0), _SAID[kind].format(number), entered=True)
 
 
-def before_a_run(found: Iterable[Finding], dialect: Dialect, programs: int = 1) -> list[Finding]:
+def before_a_run(found: Iterable[Finding], dialect: Dialect, inputs: Inputs, programs: int = 1) -> list[Finding]:
     """What a check found, as far as it speaks of a run of that many joined programs.
 
-    Where a run finds every error by itself, what is wrong where it never runs is no error; and
-    what is wrong with one program alone may be right where they are joined.
+    Where a run finds every error by itself, what is wrong where it never runs is no error; what
+    is wrong with one program alone may be right where they are joined; and a run that is only to
+    be stopped by what it reaches tells of all errors itself.
     """
     module = interpreter(dialect.name)
-    if getattr(module, "ONLY_WHAT_RUNS", False) or (programs > 1 and getattr(module, "CHECKS", False)):
+    joined = programs > 1 and getattr(module, "CHECKS", False)
+    if inputs.reached_only or joined or getattr(module, "ONLY_WHAT_RUNS", False):
         return [finding for finding in found if finding.severity < Severity.ERROR]
     return list(found)
 

@@ -31,6 +31,7 @@ OPTIONS = {
     "simulate": lambda value: (["--machine-values", "simulate"], {"machineValues": "simulate"}),
     "keep-n": lambda value: (["--keep-n"], {"keepN": True}),
     "decimals": lambda value: (["--decimals", str(value)], {"decimals": value}),
+    "reached-only": lambda value: (["--reached-only"], {"reachedOnly": True}),
     "steps": lambda value: (["--max-steps", str(value)], {"maxSteps": value}),
     "blocks": lambda value: (["--max-blocks", str(value)], {"maxBlocks": value}),
     "define": lambda value: ([part for each in value.items() for part in ("-D", "=".join(each))], {"define": value}),

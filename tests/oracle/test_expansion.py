@@ -19,6 +19,7 @@ from support.expressions import ARITHMETIC, COMPARED, FUNCTIONS, LOGICAL
 from support.flat import MAIN, RULES, STORED, TABLE, Case, difference, ran, verdict
 from support.formatting import CANONICAL, laid_out
 from support.oracle import SAMPLES
+from support.planted import planted
 from support.programs import FLOW, MOTION, PREDEFINED, WAYS, Generated, generated
 from support.samples import drivers, read, sample
 
@@ -30,6 +31,8 @@ REFUSED = (0.2, 0.4)
 REASONS = 10
 CHECKED = 8
 """Of so many random programs that run one is also checked: a check costs more than a run."""
+PLANTED, PLANTED_PARTS = 16, 2
+"""Of so many random programs one is also run with garbage in branches that never run."""
 
 pytestmark = pytest.mark.oracle
 _SKIPPED = "the interpreter does not look at what it passes over; the text is checked all the same (spec/rs274.md §6)"
@@ -37,6 +40,7 @@ _UNCLOSED = "runs because the end happens not to be needed; a missing end is alw
 _LEAKS = (
     "a fault of the interpreter that is not imitated: the documented meaning is run, with a warning (spec/rs274.md §6)"
 )
+_NUL = "text: NUL"
 DIFFERENT: Mapping[str, str] = {
     "faults: while-break, then do": f"the `break` ends the next `do` loop; {_LEAKS}",
     "faults: do { while-break }": f"the `break` ends the `do` loop around; {_LEAKS}",
@@ -56,7 +60,7 @@ STRICTER: Mapping[str, str] = {
     "flow: do without while": _UNCLOSED,
     "files: M2 before endsub": _UNCLOSED,
     "files: sub in a sub of a file": "later versions refuse it; what this one makes of it is never meant (spec/oracle.md §4)",
-    "text: NUL": "a text with a NUL in it is no program (interface, *Input bytes*)",
+    _NUL: "a text with a NUL in it is no program (interface, *Input bytes*)",
 }
 """Programs that run there and are refused here, on purpose."""
 LOOSER: Mapping[str, str] = {
@@ -101,6 +105,62 @@ def test_all_facts_and_samples(capsys: pytest.CaptureFixture[str]) -> None:
             print(f"\n{name}: {said_of(part)}", end="")
         print("".join(f"\n  {name}: {why}" for name, why in (DIFFERENT | STRICTER | LOOSER).items()))
     assert both.equal >= LEAST * both.let
+
+
+def test_all_facts_and_samples_by_what_is_reached(capsys: pytest.CaptureFixture[str]) -> None:
+    """Of all programs that the interpreter runs, where only what is reached may stop deburr's run."""
+    cases = [replace(case, reached=True) for case in facts().values()]
+    said = verdicts(cases)
+    known = {**DIFFERENT, **LOOSER, _NUL: STRICTER[_NUL]}
+    assert said.keys() == known.keys(), {name: why for name, why in said.items() if name not in known}
+    run = {case.name for case in cases if case.original.status == 0}
+    of_facts, of_samples = Tally(len(run), len(run - said.keys()), 1), samples_reached()
+    both = Tally(*map(sum, zip(of_facts, of_samples)))
+    with capsys.disabled():
+        print(f"\nby what is reached: {said_of(both)}", end="")
+    assert both.equal >= LEAST * both.run
+
+
+def samples_reached() -> Tally:
+    with ThreadPoolExecutor(2) as pool:
+        cases = [replace(case, reached=True) for case in (*map(sample, sorted(SAMPLES.rglob("*.ngc"))), *drivers())]
+        runs = list(pool.map(lambda case: case.original, cases))
+        clean = [case for case, run in zip(cases, runs) if run.status == 0]
+        assert [case.name for case in clean if case.refused] == []
+        assert [case.name for case, said in zip(clean, pool.map(difference, clean)) if said] == []
+    return Tally(len(clean), len(clean), 0)
+
+
+_SKIPPED_FROM = {
+    "a branch": ("o1 if [0]\n{}\no1 endif\nG0 X1\nM2\n", {}),
+    "a loop that is left": ("o1 while [1]\nG0 X2\no1 break\n{}\no1 endwhile\nG0 X1\nM2\n", {}),
+    "a sub": ("o1 sub\n{}\no1 endsub\nG0 X1\nM2\n", {}),
+    "a file above its sub": ("o<a> call\nG0 X1\nM2\n", {"a.ngc": "{}\no<a> sub\nG0 X5\no<a> endsub\n"}),
+    "a file behind a return": ("o<a> call\nG0 X1\nM2\n", {"a.ngc": "o<a> sub\nG0 X5\no<a> return\n{}\no<a> endsub\n"}),
+    "nothing": ("G0 X1\n{}\nG0 X3\nM2\n", {}),
+}
+"""Programs with a line that none of them comes to, but for the last."""
+_GARBAGE = (
+    "foo $$ [", ")", "G0 X1 X2", "#1=[1/0]", "(a (b) c)", "(open", "G0 " + "X1" * 130, "%", "/foo", "N-5", "N5 N6", "o3 foo",
+    "o3 if", "o1.5 if [1]", "o9 endif", "o9 if [1] G0", "o9 sub\no9 endsub", "o9 call 5", "o[1/0] call", "#<foo=3",
+    "G0 X#<nope>", "o6 while [1]", "o6 do", "o6 repeat #1", "o1 if [1]", "(ABORT,x)",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("place", _SKIPPED_FROM)
+def test_what_is_passed_over_stops_a_run_as_it_stops_the_interpreter(place: str) -> None:
+    text, files = _SKIPPED_FROM[place]
+    cases = [
+        Case(
+            garbage,
+            text.replace("{}", garbage),
+            {name: one.replace("{}", garbage) for name, one in files.items()},
+            reached=True,
+        )
+        for garbage in _GARBAGE
+    ]
+    assert verdicts(cases) == {}
+    assert len({bool(case.refused) for case in cases}) == 2 or place in ("nothing", "a file behind a return")
 
 
 def said_of(part: Tally) -> str:
@@ -229,6 +289,16 @@ def test_random_programs(chunk: int) -> None:
     share = sum(bool(case.refused) for case in cases) / len(cases)
     assert REFUSED[0] <= share <= REFUSED[1], share
     assert len(reasons) >= REASONS, reasons
+
+
+@pytest.mark.parametrize("part", range(PLANTED_PARTS))
+def test_random_programs_with_garbage_that_never_runs(part: int) -> None:
+    programs = [planted(seed) for seed in range(part, PROGRAMS, PLANTED * PLANTED_PARTS)]
+    cases = [Case(str(at), each.text, each.files, reached=True) for at, each in enumerate(programs)]
+    assert verdicts(cases) == {}
+    run = [case for case in cases if not case.refused]
+    warned = [case for case in run if any(fault.passed for fault in case.expansion.faults)]
+    assert len(run) > len(cases) / 3 and len(warned) > 0.9 * len(run)
 
 
 def test_random_programs_use_all_of_the_language() -> None:

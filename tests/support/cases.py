@@ -58,6 +58,7 @@ def expanded(case: Case) -> Expansion:
         simulate=given.pop("simulate", False),
         keep_n=given.pop("keep-n", False),
         decimals=given.pop("decimals", None),
+        reached_only=given.pop("reached-only", False),
     )
     assert not given, f"unknown inputs {given}"
     dialect = by_name(case.dialect)

@@ -12,6 +12,7 @@ from tempfile import TemporaryDirectory
 from deburr.analysis import Analysis
 from deburr.expand import Budget, Expansion, Inputs, Program, expand
 from deburr.expand.job import EXACT
+from deburr.fault import Fault
 from deburr.finding import Severity
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name
@@ -65,6 +66,8 @@ class Case:
     tools: str = TOOLS
     checked: bool = True
     """Whether it is also checked before it is run."""
+    reached: bool = False
+    """Whether only what the run reaches may stop it: then a check of it decides nothing."""
     tagged: bool = False
     """Whether its lines carry their numbers: see `Ran.tagged`."""
 
@@ -91,7 +94,7 @@ class Case:
     @cached_property
     def wrong(self) -> frozenset[Place]:
         """Where a check finds errors, without a run."""
-        if not self.checked:
+        if self.reached or not self.checked:
             return frozenset()
         found = Analysis(self.document, RULES, self.main, self.host).findings()
         return frozenset((each.place.file, each.place.line) for each in found if each.severity is Severity.ERROR)
@@ -99,7 +102,8 @@ class Case:
     @cached_property
     def expansion(self) -> Expansion:
         """Its expansion, whatever a check says of it."""
-        return expand([Program(self.main, self.document)], RULES, self.host, INPUTS, Budget(200_000, 200_000))
+        inputs = INPUTS._replace(reached_only=self.reached)
+        return expand([Program(self.main, self.document)], RULES, self.host, inputs, Budget(200_000, 200_000))
 
     @cached_property
     def refused(self) -> frozenset[Place]:
@@ -109,7 +113,12 @@ class Case:
     @cached_property
     def stopped(self) -> frozenset[Place]:
         """The line that a run cannot pass."""
-        return frozenset((fault.file, fault.line) for fault in self.expansion.faults if is_error(fault.kind))
+        return frozenset((fault.file, fault.line) for fault in self.errors)
+
+    @cached_property
+    def errors(self) -> tuple[Fault, ...]:
+        """What ends its run."""
+        return tuple(fault for fault in self.expansion.faults if not fault.passed and is_error(fault.kind))
 
     @property
     def flat(self) -> str:
@@ -185,4 +194,6 @@ def verdict(case: Case) -> str:
 
 
 def _said(case: Case) -> list[str]:
-    return [] if case.wrong else [f"{fault.kind}: {fault.message}" for fault in case.expansion.faults]
+    return (
+        [] if case.wrong else [f"{fault.kind}: {fault.message}" for fault in case.expansion.faults if not fault.passed]
+    )

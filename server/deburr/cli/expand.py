@@ -11,7 +11,7 @@ from deburr.cli.checkoptions import profile
 from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.files import STDIN
 from deburr.cli.flat import Flat, Terms, flat_of, opened_programs
-from deburr.cli.inputs import add_inputs, inputs_for, inputs_of, known, named_files, settings
+from deburr.cli.inputs import add_inputs, add_reached_only, inputs_for, inputs_of, known, named_files, settings
 from deburr.config import Config, ConfigError, from_command_line
 from deburr.configfile import Configs
 from deburr.expand import Budget
@@ -36,6 +36,7 @@ def parser() -> argparse.ArgumentParser:
     found.add_argument("--profile", metavar="P", help="whose manual decides, in dialects that have profiles")
     add_config(found)
     add_inputs(found)
+    add_reached_only(found)
     found.add_argument("--source-map", metavar="FILE", help="write where each flat line comes from (Source Map v3)")
     found.add_argument("--partial", action="store_true", help="write what was produced before a fault, too")
     found.add_argument("--keep-n", action="store_true", help="keep line numbers")
@@ -92,7 +93,10 @@ def configuration(arguments: argparse.Namespace) -> Config:
 
 def _terms(arguments: argparse.Namespace) -> Terms:
     inputs = inputs_of(arguments)._replace(
-        keep_n=arguments.keep_n, decimals=arguments.decimals, partial=arguments.partial
+        keep_n=arguments.keep_n,
+        decimals=arguments.decimals,
+        partial=arguments.partial,
+        reached_only=arguments.reached_only,
     )
     budget = Budget(arguments.max_steps, arguments.max_blocks)
     mapped = bool(arguments.source_map or arguments.diff)

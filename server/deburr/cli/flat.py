@@ -173,7 +173,7 @@ def flat_of(programs: Sequence[Opened], terms: Terms, lines: IO[bytes]) -> Flat:
     """Check the programs, run them into a file, and say on stderr what is wrong."""
     flat = Flat(programs, terms, lines, terms.eol or source.eol_of(programs[0].source.text))
     found = [finding for program in programs for finding in _checked(program, terms.inputs)]
-    found = before_a_run(found, programs[0].dialect, len(programs))
+    found = before_a_run(found, programs[0].dialect, terms.inputs, len(programs))
     if any(finding.severity is Severity.ERROR for finding in found):
         flat.whole = False
     else:

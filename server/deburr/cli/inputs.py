@@ -35,6 +35,15 @@ def add_inputs(found: argparse.ArgumentParser) -> None:
     )
 
 
+def add_reached_only(found: argparse.ArgumentParser) -> None:
+    """What may stop an expansion."""
+    found.add_argument(
+        "--reached-only",
+        action="store_true",
+        help="only what the run reaches stops it: faults in text that is passed over are warnings",
+    )
+
+
 def inputs_of(arguments: argparse.Namespace) -> Inputs:
     """What the operator and the machine would give."""
     return Inputs(

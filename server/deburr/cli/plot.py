@@ -13,7 +13,7 @@ from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.expand import configuration, count, distinct
 from deburr.cli.files import STDIN
 from deburr.cli.flat import Flat, Opened, Terms, flat_of, opened_programs
-from deburr.cli.inputs import add_inputs, inputs_for, inputs_of, known
+from deburr.cli.inputs import add_inputs, add_reached_only, inputs_for, inputs_of, known
 from deburr.cli.replacing import replacing
 from deburr.config import ConfigError
 from deburr.configfile import Configs
@@ -56,6 +56,7 @@ def parser() -> argparse.ArgumentParser:
     found.add_argument("--profile", metavar="P", help="whose manual decides, in dialects that have profiles")
     add_config(found)
     add_inputs(found)
+    add_reached_only(found)
     found.add_argument("--partial", action="store_true", help="draw what was produced before a fault, too")
     limits = Budget()
     found.add_argument("--max-steps", type=count, default=limits.steps, metavar="N", help="executed lines; 0: no limit")
@@ -70,7 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
         form = _format(arguments.output, arguments.output_format)
         if form is Format.PNG:
             _painter()
-        inputs = inputs_of(arguments)._replace(partial=arguments.partial)
+        inputs = inputs_of(arguments)._replace(partial=arguments.partial, reached_only=arguments.reached_only)
         configs = Configs(configuration(arguments), arguments.config)
         programs = opened_programs(arguments.files, arguments.dialect, configs)
         known(arguments, programs[0].dialect)

@@ -37,7 +37,7 @@ def expand(
     inputs: Inputs | None = None,
     budget: Budget | None = None,
 ) -> Expansion:
-    """Run programs, joined in order, to the end. They must have passed `check` without an error."""
+    """Run programs, joined in order, to the end. They must have passed `check` without an error, unless the inputs say `reached_only`."""
     kept, source_map = Kept(), SourceMap()
     job = Job(programs, ruleset, host, kept, inputs, budget, source_map)
     for _ in drive(job):
@@ -54,6 +54,7 @@ def drive(job: Job) -> Iterator[None]:
     except Halt as halt:
         job.halted = True
         job.meet(halt.fault)
+    job.over()
 
 
 def interpreter(dialect: str) -> ModuleType | Any:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
+from deburr.expand.held import Held
 from deburr.fault import Fault, Frame, Halt
 from deburr.inputs import Inputs
 from deburr_grammar.text import Span
@@ -87,6 +88,8 @@ class Job:
         """Whether the last fault ended the run."""
         self.where: Callable[[], str] = str
         """What the run is in, in words: a loop and its variable's last values; nothing outside of loops."""
+        self.held = Held()
+        """What is wrong with the texts and was not met yet."""
         self.pace = pace
         self._sink = sink
         self._line = sink.line
@@ -163,10 +166,17 @@ class Job:
 
     def meet(self, fault: Fault) -> None:
         """Report something that does not stop the run; the same at the same place is reported once."""
-        key = (fault.kind, fault.file, fault.line, fault.span)
-        if key not in self._met:
+        if (key := _key(fault)) not in self._met:
             self._met.add(key)
             self.faults.append(fault)
+
+    def over(self) -> None:
+        """Report what is wrong with the texts and was never met. What ended the run stays the last."""
+        self.faults[:0] = [fault for fault in self.held.left() if _key(fault) not in self._met]
+
+
+def _key(fault: Fault) -> tuple[str, str, int, Span]:
+    return fault.kind, fault.file, fault.line, fault.span
 
 
 def _unheard(text: str) -> None:

@@ -43,7 +43,7 @@ def expanding(
         found += yield from _counting(gathering)
     lines, source_map = Kept(), SourceMap()
     module = interpreter(view.dialect.name)
-    found = before_a_run(found, view.dialect, len(views))
+    found = before_a_run(found, view.dialect, inputs, len(views))
     if module is None or _wrong(found):
         return Expanded("", source_map, tuple(found), False)
     programs = [Program(each.file, each.document) for each in views]

@@ -43,6 +43,7 @@ class Wanted(NamedTuple):
     simulate: bool = False
     keep_n: bool = False
     decimals: int | None = None
+    reached_only: bool = False
     budget: Budget = Budget()
     settings: tuple[tuple[str, str], ...] = ()
     text: str | None = None
@@ -51,7 +52,14 @@ class Wanted(NamedTuple):
     @property
     def inputs(self) -> Inputs:
         """What the run is given."""
-        return Inputs(dict(self.define), self.block_delete, self.simulate, self.keep_n, self.decimals)
+        return Inputs(
+            dict(self.define),
+            self.block_delete,
+            self.simulate,
+            self.keep_n,
+            self.decimals,
+            reached_only=self.reached_only,
+        )
 
 
 class Made(NamedTuple):
@@ -181,7 +189,7 @@ class Previews:
 
 def wanted_by(said: Mapping[str, Any]) -> Wanted:
     """What the arguments of `deburr.expand` ask for; JsonRpcInvalidParams names what cannot be used."""
-    known = {"uri", "with", "define", "input", "maxBlocks", "maxSteps", "blockDelete", "machineValues", "keepN", "decimals", "position", "program", "text"}  # fmt: skip
+    known = {"uri", "with", "define", "input", "maxBlocks", "maxSteps", "blockDelete", "machineValues", "keepN", "decimals", "reachedOnly", "position", "program", "text"}  # fmt: skip
     if unknown := sorted(set(said) - known):
         raise JsonRpcInvalidParams(f"`{unknown[0]}` is no argument; there are {', '.join(sorted(known))}")
     limits = Budget()
@@ -192,6 +200,7 @@ def wanted_by(said: Mapping[str, Any]) -> Wanted:
         simulate=_one_of(said, "machineValues", {"simulate": True, "refuse": False}) or False,
         keep_n=_of(said, "keepN", bool, False),
         decimals=EXACT if said.get("decimals") == "exact" else _of(said, "decimals", int, None),
+        reached_only=_of(said, "reachedOnly", bool, False),
         budget=Budget(_of(said, "maxSteps", int, limits.steps), _of(said, "maxBlocks", int, limits.blocks)),
         settings=(("input", uri_to_file(_of(said, "input", str, ""))),) if said.get("input") else (),
         text=_of(said, "text", str, None),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from deburr.arithmetic.cgt import equal
 from deburr.expand.cgt.commands import Put, place_of
 from deburr.expand.cgt.lines import Place
-from deburr.expand.cgt.state import Label, Loop, Op, Unit
+from deburr.expand.cgt.state import END, Label, Loop, Op, Unit
 from deburr.fault import Entered, Frame
 from deburr.templates.items import DEEPEST, Body, Item, Section
 from deburr.templates.parts import Branch, by_line, first_line, last_line, parts_of, starts_with_break
@@ -38,6 +38,8 @@ class Compiler:
         self._unit = Unit(section.name)
         self._row = section.line
         self._loops = 0
+        self._faulty: set[int] = set()
+        """Rows with faults at which nothing stops yet."""
         self._waiting: list[list[Label]] = []
         """Where `#EXITC` comes back to, by the bodies around: the next template line of the innermost that has one."""
 
@@ -46,6 +48,31 @@ class Compiler:
         self._body(self._section.body, False)
         self._op(self._state.back)
         return self._unit
+
+    def reached(self, rows: range) -> Unit:
+        """The same of a section with faults that are held: each stops the run at its line; where no line is run, at the section."""
+        job, file = self._state.job, self._state.file
+        self._faulty = {row for row, found in job.held.in_file(file).items() if found and row in rows}
+        unit = self.unit()
+        if self._faulty:
+            job.held.come(job, file, min(self._faulty), self._lines.frame)
+        return unit
+
+    def _stops(self, parts: Sequence[Part]) -> bool:
+        """Whether the run ends at these parts, because a line on which one begins has faults."""
+        at = next((first_line(part) for part in parts if first_line(part) in self._faulty), None)
+        if at is None:
+            return False
+        self._row = at
+        state, row, file = self._state, at, self._state.file
+
+        def stopped() -> int:
+            state.job.held.come(state.job, file, row, state.lines.frame)
+            return END
+
+        self._op(stopped)
+        self._faulty -= set(range(first_line(parts[0]), last_line(parts[-1]) + 1))
+        return True
 
     def _op(self, op: Op) -> int:
         """Add an operation; its number."""
@@ -105,6 +132,8 @@ class Compiler:
 
     def _line(self, parts: list[Part], row: int, opener: int | None) -> None:
         """The parts of one line of a body that opens on a line, or of the section itself."""
+        if self._faulty and self._stops(parts):
+            return
         self._row = row
         if opener is None and all(self._pieces.stays(part) for part in parts):
             self._op(self._whole_line(self._pieces.sequence(parts), row))

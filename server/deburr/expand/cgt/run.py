@@ -11,6 +11,7 @@ from deburr.expand.cgt.figures import format_of
 from deburr.expand.cgt.pieces import Pieces
 from deburr.expand.cgt.state import END, State, Unit
 from deburr.expand.cgt.words import LONGEST, Words
+from deburr.expand.held import errors, fault_of
 from deburr.fault import Entered, Fault, Frame, Halt
 from deburr.formats.machine import place
 from deburr.templates.beside import beside, machine_in
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from deburr.formats.machine import Machine
     from deburr.templates.items import Section
     from deburr_grammar.document import Document
+    from deburr_grammar.line import LineNode
 
 _RUNS = frozenset(("WORD", "call", "repeat", "lookup", "block", "fmt", "EXITC"))
 _QUIET = ("START", "END", "DECLARE", "CYCLCHG")
@@ -35,6 +37,8 @@ _QUIET = ("START", "END", "DECLARE", "CYCLCHG")
 def run(job: Job) -> Iterator[None]:
     """Run the job's templates, each with the toolpath."""
     for program in job.programs:
+        if job.inputs.reached_only:
+            yield from hold(job, program)
         yield from Run(job, program).all()
 
 
@@ -54,7 +58,10 @@ class Run:
         self._job = job
         self._file = program.file
         self._template = Template(program.document, _machine_of(job), job.inputs.define)
-        self._refuse_unknown()
+        if job.inputs.reached_only:
+            self._sort_out()
+        else:
+            self._refuse_unknown()
         for section in self._template.sections if self._template.faulty_lines else ():
             if section.is_table:
                 for row in section.rows:
@@ -131,25 +138,56 @@ class Run:
         return self._units[name]
 
     def _compiled(self, section: Section) -> Unit:
+        if self._job.inputs.reached_only:
+            return self._compiler(section).reached(self._rows(section))
         if self._template.faulty_lines:
-            behind = next((each.line for each in self._template.sections if each.line > section.line), None)
-            self._refuse_faulty(section.line, behind)
-        return Compiler(self._state, self._pieces, section, section.name in self._called).unit()
+            rows = self._rows(section)
+            self._refuse_faulty(rows.start, rows.stop)
+        return self._compiler(section).unit()
 
-    def _refuse_faulty(self, first: int, behind: int | None) -> None:
+    def _compiler(self, section: Section) -> Compiler:
+        return Compiler(self._state, self._pieces, section, section.name in self._called)
+
+    def _rows(self, section: Section) -> range:
+        """The lines of a section, its header first."""
+        behind = (each.line for each in self._template.sections if each.line > section.line)
+        return range(section.line, next(behind, self._template.lines[-1][0] + 1))
+
+    def _sort_out(self) -> None:
+        """Hold what nobody can read, and stop at what is read before a section runs: declarations, tables, and what stands in no section."""
+        job, file = self._job, self._file
+        known = frozenset(job.held.in_file(file))
+        for line, node in self._template.lines:
+            if node.problems and line not in known:
+                job.held.hold(self._unread(line, node))
+        for fault in self._unknown():
+            job.held.hold(fault)
+        late = {row for each in self._template.sections if _runs(each) for row in self._rows(each)}
+        for line in sorted(job.held.in_file(file)):
+            if line not in late:
+                job.held.come(job, file, line, None)
+
+    def _unread(self, line: int, node: LineNode) -> Fault:
+        problem = node.problems[0]
+        message = f"`{node.text[problem.start : problem.end]}` cannot be read here"
+        return Fault(problem.kind, self._file, line, Span(problem.start, problem.end), message)
+
+    def _refuse_faulty(self, first: int, behind: int) -> None:
         """Lines that cannot be read are met only where the rule that would have said so is off."""
         for line, node in self._template.lines:
-            if first <= line and (behind is None or line < behind) and node.problems:
-                problem = node.problems[0]
-                message = f"`{node.text[problem.start : problem.end]}` cannot be read here"
-                raise Halt(Fault(problem.kind, self._file, line, Span(problem.start, problem.end), message))
+            if first <= line < behind and node.problems:
+                raise Halt(self._unread(line, node))
 
     def _refuse_unknown(self) -> None:
         """What a word that nobody knows prints is not known, wherever it stands."""
+        for fault in self._unknown():
+            raise Halt(fault)
+
+    def _unknown(self) -> Iterator[Fault]:
         for use in self._template.uses:
             if use.spelled.kind == "unknown" and use.role not in ("macro", "declared"):
                 message = f"`#{use.said}` is no known word, so the template cannot be expanded; a machine file's `[words]` or -D {use.said}=VALUE makes it known"
-                raise Halt(Fault("word-unknown", self._file, use.line, use.span, message, None, True))
+                yield Fault("word-unknown", self._file, use.line, use.span, message, None, True)
 
     def _define(self) -> None:
         """Values for this run by the words' names."""
@@ -169,6 +207,17 @@ class Run:
                 cell.set(float(said))
             else:
                 raise unusable("eval-type", given, f"`#{name}` takes a number")
+
+
+def _runs(section: Section) -> bool:
+    """Whether a section is read when it runs, and not before."""
+    return not section.is_table and not section.faulty and section.name != "DECLARE"
+
+
+def hold(job: Job, program: Program) -> Iterator[None]:
+    """Hold what a check calls wrong in a template."""
+    for finding in (yield from errors(job, program.file, program.document)):
+        job.held.hold(fault_of(finding))
 
 
 def _machine_of(job: Job) -> Machine:

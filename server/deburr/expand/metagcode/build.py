@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from deburr.expand.metagcode.gather import Gathered, Place
 
 _LONG = 60
+_UNCLOSED = "block-unclosed"
 _VAST = 10**15
 
 
@@ -82,7 +83,7 @@ class Run:
 
     def steps(self) -> Iterator[None]:
         """Run to the end, in slices of executed lines."""
-        steps, emit, filled = self._gathered.steps, self._job.emit, self._filled
+        steps, emit, filled, held = self._gathered.steps, self._job.emit, self._filled, bool(self._job.held)
         at = left = 0
         while at < len(steps):
             step = steps[at]
@@ -91,6 +92,8 @@ class Run:
                     yield
                     left = self._slice(at, step.row)
                 left -= 1
+                if held:
+                    self._come(at, step.row)
                 at = self._directive(at, step)
                 continue
             file, frame = step.text.file, self._frame(at)
@@ -99,6 +102,8 @@ class Run:
                     yield
                     left = self._slice(at, row)
                 left -= 1
+                if held:
+                    self._come(at, row)
                 emit(line if isinstance(line, str) else filled(at, row, line), file, row, frame)
             at += 1
 
@@ -138,8 +143,22 @@ class Run:
         """Follow a directive; the step that comes next."""
         opens = step.bracket.role is Role.OPEN
         if step.bracket.kind == "if":
-            return at + 1 if not opens or self._holds(at, step, step.condition) else self._gathered.partners[at] + 1
+            return at + 1 if not opens or self._holds(at, step, step.condition) else self._end(at, step) + 1
         return self._enter(at, step) if opens else self._again(at)
+
+    def _come(self, at: int, row: int) -> None:
+        """Stop at a line whose faults are held."""
+        self._job.held.come(self._job, self._gathered.steps[at].text.file, row, self._frame(at), _UNCLOSED)
+
+    def _end(self, at: int, step: Directive) -> int:
+        """The step that ends a block, which is asked for: one that is missing or ill-matched stops the run here."""
+        end = self._gathered.partners[at]
+        if end < 0:
+            self._halt(_UNCLOSED, at, step.row, step.bracket.span, f"`{step.said}` is never closed")
+        closer = self._gathered.steps[end]
+        if self._job.held and isinstance(closer, Directive):
+            self._come(end, closer.row)
+        return end
 
     def _holds(self, at: int, step: Directive, asked: Condition) -> bool:
         if asked.numeric:
@@ -162,12 +181,13 @@ class Run:
 
     def _enter(self, at: int, step: Directive) -> int:
         """Begin a loop, or pass over it if it has no pass."""
+        end = self._end(at, step)
         counted = [self._length(at, step, counter) for counter in step.counters]
         longest = max(counted, key=lambda each: each.passes)
         if not longest.passes:
             message = f"{_here(longest.total)}, so the loop has no pass and its lines are left out"
             self._meet("loop-zero", at, step.row, longest.counter.total.span, message)
-            return self._gathered.partners[at] + 1
+            return end + 1
         if longest.passes > PASSES:
             self._halt("limit", at, step.row, longest.counter.total.span, _too_many(longest))
         counters = {

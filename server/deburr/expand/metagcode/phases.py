@@ -36,9 +36,16 @@ def run(job: Job) -> Iterator[None]:
     if any(fault.kind == "unknown-directive" for fault in on_lines):
         # It may be the end that is missing, misspelt: what blocks are meant is not known.
         on_blocks.clear()
-    _refuse(job, on_lines + [fault for fault in on_blocks if fault.kind != CROSSES], gatherer.alone)
+    of_form = on_lines + [fault for fault in on_blocks if fault.kind != CROSSES]
+    if job.inputs.reached_only:
+        # `#FILE` is followed wherever it stands; all other lines only count where they are come to.
+        for fault in of_form:
+            job.held.hold(fault._replace(input=fault.input or gatherer.alone))
+    else:
+        _refuse(job, of_form, gatherer.alone)
     for fault in on_blocks:
-        job.meet(fault)
+        if fault.kind == CROSSES or not job.inputs.reached_only:
+            job.meet(fault)
     values, of_values = values_of(job)
     _refuse(job, of_values[:1], gatherer.alone)
     yield from Run(job, gathered, values, gatherer.alone).steps()

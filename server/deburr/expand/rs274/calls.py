@@ -43,6 +43,8 @@ class Calls:
         given = bool(values) and values[-1][1] is not None and values[-1][0] == behind - 1
 
         def passed() -> int:
+            if self._run.reached.runs_nested:
+                return row + 1
             self._targets.define(unit, row, parts)
             value = 0.0
             for _, calculate in values:
@@ -117,13 +119,15 @@ class Calls:
         def ended() -> int:
             if not state.calls:
                 return alone()
+            if state.calls[-1].again is None:
+                message = "`M99` ends what `M98` calls; in what an O-word calls the control stops here: write `endsub` or `return`"
+                raise state.fault("sub-outside", unit.file, row, span, message)
             if not clear:
                 message = "the control stops at an `M99` that shares its line with other words"
                 raise state.fault("word-conflict", unit.file, row, span, message)
             state.value = state.value_returned = 0.0
-            again = state.calls[-1].again
-            if again is not None and again[2]:
-                target, start, left = again
+            target, start, left = state.calls[-1].again
+            if left:
                 state.calls[-1].again = (target, start, left - 1)
                 self._bring_back(unit, row)
                 state.locals, state.saved, state.returns = {}, None, False

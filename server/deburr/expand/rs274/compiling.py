@@ -58,6 +58,8 @@ class Compiler:
 
     def compiled(self, unit: Unit, row: int) -> Op:
         """A line, or the stretch that starts there."""
+        if row in unit.faulty:
+            self._run.reached.execute(unit, row)
         self._lines += 1
         if self._lines > _MANY:
             self._lines, self.next = 0, row
@@ -138,7 +140,9 @@ class Compiler:
             return self._plain(unit, row, node)
         if "PERCENT" in kinds:
             return self._percent_line(unit, row, node)
-        return self.flow.compiled(unit, row, node) if "o_line" in kinds else self._block(unit, row, node)
+        if "o_line" in kinds:
+            return self._run.reached.guarded(unit, row, self.flow.compiled(unit, row, node))
+        return self._block(unit, row, node)
 
     def _plain(self, unit: Unit, row: int, node: LineNode) -> Op:
         """A line that is copied: nothing in it is to be calculated, and nobody asks for modes."""

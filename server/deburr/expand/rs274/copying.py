@@ -89,6 +89,10 @@ class Stretches:
                 bytes(map({shape: live and fixed(shape) is not None for shape in distinct}.__getitem__, shapes))
             )
         self._plain, self._shared = b"".join(plain), b"".join(shared)
+        if self._unit.faulty:
+            self._plain = bytes(
+                plain and self._first + at not in self._unit.faulty for at, plain in enumerate(self._plain)
+            )
 
 
 def without_number(text: str) -> str:

@@ -13,6 +13,7 @@ from deburr.expand.rs274.following import follow
 from deburr.expand.rs274.machine import Machine
 from deburr.expand.rs274.output import Output
 from deburr.expand.rs274.parts import last_values
+from deburr.expand.rs274.reached import Reached
 from deburr.expand.rs274.shapes import needs_run
 from deburr.expand.rs274.state import State
 from deburr.expand.rs274.turning import turns_by_radius
@@ -58,6 +59,7 @@ class Run:
         machine = Machine(job)
         self.state = State(job, machine)
         machine.state = self.state
+        self.reached = Reached(job, self.state)
         first_values(self.state)
         machine.started()
         self.out = Output(job, self.state)
@@ -67,6 +69,7 @@ class Run:
         """From the first line to the end."""
         self.main = self.unit = unit
         self.row = 0
+        yield from self.reached.hold(unit, called=False)
         yield from self._prepare(unit)
         row, left, pace, compiled = 0, 0, self.job.pace, self._compiler.compiled
         try:
@@ -77,6 +80,7 @@ class Run:
                 steps = left = self.job.slice(unit.file, min(row, last - 1), self.state.frame)
                 while left and row >= 0:
                     if row >= last:
+                        self.reached.ended(unit)
                         self._endless(unit)
                         row = END
                         break
@@ -103,7 +107,7 @@ class Run:
         """What the text of a program decides of how it is run."""
         compiler = self._compiler
         compiler.watch = self._is_watched(unit)
-        if worth_running(unit.document):
+        if worth_running(unit.document) or self.reached.active:
             self.out.judged()
             if self.job.inputs.decimals is None and (yield from turns_by_radius(unit, compiler.flow.calls.load)):
                 compiler.coordinates = EXACT

@@ -52,6 +52,7 @@ class Targets:
             start = unit.sub_behind(label, row) if found is None else None
             if start is not None:
                 found = unit, start
+                self._run.reached.pass_to(unit, row, start)
             if found is None:
                 near = suggestion(label, {*self._known, *unit.subs} - {label})
                 raise self._missing(f"there is no subprogram `o<{label}>`", near, label, unit, row, span)
@@ -74,6 +75,7 @@ class Targets:
                 name = target.file.rpartition("/")[2]
                 message = f"`{name}` has no program `O{label}`, and the control looks for it nowhere else"
                 raise self._state.fault("sub-file", unit.file, row, span, message)
+            self._pass_to(target, above, start)
             found = self._known[label] = target, start
         self._is_numbered(*found, f"M98 P{label}")
         return found
@@ -99,7 +101,14 @@ class Targets:
             why = "starts with `%`, as the program does, and nothing is found in it"
         if start is None or why:
             raise self._state.fault("sub-file", unit.file, row, span, f"the file `{file.file}` {why}")
+        self._pass_to(file, -1, start)
         return file, start
+
+    def _pass_to(self, unit: Unit, row: int, start: int) -> None:
+        """Read on in a file to where a subprogram starts."""
+        if unit is not self._run.main:
+            self._run.reached.enter(unit)
+        self._run.reached.pass_to(unit, row, start)
 
     def _missing(self, what: str, near: str, label: str, unit: Unit, row: int, span: Span) -> Halt:
         """The end of a run that finds no subprogram. Where no folder can be seen, its file was not given: that is no fault of the program."""
@@ -120,7 +129,7 @@ class Targets:
 
     def _sound(self, unit: Unit, row: int) -> None:
         """Stop where a subprogram in another file is wrong as it stands; the program itself has been checked before."""
-        if unit is self._run.main:
+        if unit is self._run.main or self._run.reached.active:
             return
         for at, finding in unit.errors(self._run.job).items():
             if row <= at <= unit.ends.get(row, row):

@@ -70,6 +70,10 @@ class Unit:
         """The rows of `return` and `endsub` of a subprogram that bear its own label."""
         self.passed: set[int] = set()
         """Rows of definitions that the run has come by or called."""
+        self.faulty: frozenset[int] = frozenset()
+        """Rows at which a run stops that only heeds what it reaches, and those whose lines it has to judge."""
+        self.seen: list[int] = []
+        """Rows of which such a run may mind something even where it passes over them, in order."""
         self.stretches = Stretches(self)
 
     @classmethod
@@ -94,7 +98,7 @@ class Unit:
     def _read(self) -> Iterator[None]:
         last = len(self.code)
         around: list[Block] = []
-        outside = around
+        outside: list[tuple[tuple[int, str | None] | None, list[Block]]] = []
         sub: tuple[int, str | None] | None = None
         for each in paced(self.document.brackets()):
             if each is None:
@@ -110,14 +114,15 @@ class Unit:
                 case Role.MIDDLE:
                     self._middle(around, bracket, row)
                 case Role.REGION:
+                    outside.append((sub, around))
                     sub, around = (row, bracket.label), []
                     self._started(row, bracket.label, last)
                 case Role.END_REGION if sub is not None:
                     self.ends[sub[0]] = row
             if sub is not None and bracket.word in ("return", "endsub") and bracket.label == sub[1] is not None:
                 self.returns[sub[0]].append(row)
-            if bracket.role is Role.END_REGION:
-                sub, around = None, outside
+            if bracket.role is Role.END_REGION and outside:
+                sub, around = outside.pop()
 
     def _started(self, row: int, label: str | None, last: int) -> None:
         self.ends[row], self.returns[row] = last, []

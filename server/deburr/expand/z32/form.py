@@ -55,8 +55,11 @@ def judge(job: Job, unit: Unit, frame: Frame | None) -> None:
 
 
 def refuse(job: Job, found: list[Fault]) -> None:
-    """End the run if there are faults."""
-    if found:
+    """End the run if there are faults, or hold them until it comes to their lines."""
+    if job.inputs.reached_only:
+        for fault in found:
+            job.held.hold(fault)
+    elif found:
         for fault in found[:-1]:
             job.meet(fault)
         raise Halt(found[-1])

@@ -113,6 +113,8 @@ class Run:
 
     def _compiled(self, unit: Unit, row: int) -> Op:
         """A line that is not kept yet. Most lines run once, so one is kept when it runs again."""
+        if self._job.held:
+            self._job.held.come(self._job, unit.file, row, self._state.frame)
         node = unit.document.node(row)
         op = self._flow.around(unit, row, self._compile(unit, row, node))
         if unit.ran[row]:
