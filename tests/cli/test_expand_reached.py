@@ -62,6 +62,8 @@ def test_what_is_not_reached_is_warned_of(shell, name):
             "metagcode.file-missing",
             2,
         ),
+        ("p.mgc", "#LOP1 |a| 2 c\nG1 X1\n#ENDLOOP1\n", ("-D", "a=2"), "metagcode.unknown-directive", 1),
+        ("p.mgc", "#IF1 1 equalto 2 n\n#LOP1 |a|\n#ENDIF1\n#ENDLOOP1\n", (), "metagcode.block-unopened", 4),
         ("p.cgt", CGT, ("--input", "p.cl", "-D", "V1=6"), "cgt.command-syntax", 4),
         (
             "p.cgt",

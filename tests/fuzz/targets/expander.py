@@ -57,6 +57,7 @@ def _inputs(switches: int) -> Inputs:
         keep_n=bool(switches & 16),
         decimals=(None, 3)[switches >> 5 & 1],
         partial=bool(switches & 64),
+        reached_only=bool(switches & 128),
     )
 
 
@@ -64,7 +65,7 @@ def _expanded(dialect: Dialect, rules: RuleSet, files: Mapping[str, str], inputs
     name, host = next(iter(files)), MemoryHost(files)
     document = Document.parse(files[name], dialect, given=dialect.given(rules.settings, host.read))
     analysis = Analysis(document, rules, name, host, inputs=inputs)
-    found = before_a_run(analysis.findings(), dialect)
+    found = before_a_run(analysis.findings(), dialect, inputs)
     if any(finding.severity is Severity.ERROR for finding in found):
         return
     expansion = expand([Program(name, document)], rules, host, inputs, Budget(_STEPS, _LINES))

@@ -225,11 +225,13 @@ def _parts(text: Text) -> Iterator[Stretch | Directive | Include]:
     """A file as what stands between its directives, and these."""
     row = 0
     for line, bracket in text.document.brackets():
+        if bracket.kind != SNIPPET and bracket.role is Role.MIDDLE:
+            continue
         if line > row:
             yield Stretch(text, row, line)
         if bracket.kind == SNIPPET:
             yield Include(line, bracket.span, bracket.label)
-        elif bracket.role is not Role.MIDDLE:
+        else:
             yield Directive(text, line, bracket)
         row = line + 1
     if text.rows > row:

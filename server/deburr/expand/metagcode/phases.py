@@ -33,7 +33,7 @@ def run(job: Job) -> Iterator[None]:
     _refuse(job, gatherer.faults + in_gathering, gatherer.alone)
     yield from gatherer.flatten(gathered)
     yield from _kept(tie(gathered), on_blocks)
-    if any(fault.kind == "unknown-directive" for fault in on_lines):
+    if any(fault.kind == "unknown-directive" for fault in on_lines) and not job.inputs.reached_only:
         # It may be the end that is missing, misspelt: what blocks are meant is not known.
         on_blocks.clear()
     of_form = on_lines + [fault for fault in on_blocks if fault.kind != CROSSES]
