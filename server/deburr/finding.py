@@ -64,5 +64,33 @@ class Finding(NamedTuple):
 
     @property
     def order(self) -> tuple[Place, str, str]:
-        """Findings are reported in this order."""
+        """Findings are reported in this order; two that have all of it in common are one, however one comes there."""
         return (self.place, self.rule, self.message)
+
+
+_ALSO = "also "
+
+
+def joined(one: Finding, other: Finding) -> Finding:
+    """What two programs find at one place of a file that both use, as one finding: how the first of them comes there, and from where else one does.
+
+    Where the file alone is wrong, who else uses it is no matter. In whichever order several are joined, the same comes out.
+    """
+    if one == other:
+        return one
+    severity, fix = max(one.severity, other.severity), one.fix or other.fix
+    alone = [each for each in (one, other) if not any(related.entered for related in each.related)]
+    if len(alone) == 1:
+        return alone[0]._replace(severity=severity, fix=fix)
+    parts = [_parted(each) for each in (one, other)]
+    (way, _), (behind, _) = sorted(parts, key=lambda part: [(each.place, each.message) for each in reversed(part[0])])
+    others = {each for _, also in parts for each in also}
+    others |= {Related(each.place, f"{_ALSO}{each.message}") for each in behind if each not in way}
+    others -= {Related(each.place, f"{_ALSO}{each.message}") for each in way}
+    return one._replace(severity=severity, related=(*way, *sorted(others)), fix=fix)
+
+
+def _parted(finding: Finding) -> tuple[tuple[Related, ...], tuple[Related, ...]]:
+    """How one comes to a finding, and from where else."""
+    way = tuple(each for each in finding.related if each.entered or not each.message.startswith(_ALSO))
+    return way, tuple(each for each in finding.related if each not in way)

@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from deburr.cli.run import Outcome
-from deburr.finding import Finding, Severity
+from deburr.finding import Finding, Place, Severity, joined
 
 
 class Shard(NamedTuple):
@@ -58,23 +58,22 @@ class Result:
 
     @cached_property
     def everything(self) -> list[Found]:
-        """All findings in order of file, row and column. What several programs find in a file that they share is one finding."""
-        first: dict[tuple[object, ...], Found] = {}
-        keys: dict[Finding, str] = {}
+        """All findings in order of file, row and column. What several programs find at a place of a file that they share is one finding."""
+        first: dict[tuple[Place, str, str], Found] = {}
+        keys: dict[tuple[Place, str, str], str] = {}
         for outcome in self.outcomes:
             for finding in outcome.findings:
-                old = first.get(finding.order)
-                if old is None or len(finding.related) < len(old.finding.related):
-                    # The file alone has the shorter way to it.
-                    fails = finding.severity >= outcome.fail_on
-                    first[finding.order] = Found(finding, outcome.dialect or "", fails)
-            keys.update(zip(outcome.findings, outcome.keys))
+                fails, known = finding.severity >= outcome.fail_on, first.get(finding.order)
+                if known is not None:
+                    finding, fails = joined(known.finding, finding), fails or known.fails
+                first[finding.order] = Found(finding, outcome.dialect or "", fails)
+            keys.update((each.order, key) for each, key in zip(outcome.findings, outcome.keys))
         ordered = sorted(first.values(), key=lambda each: each.finding.order)
         if not keys:
             return ordered
         from deburr.cli.fingerprint import counted
 
-        marks = counted((each.finding.place.file, keys[each.finding]) for each in ordered)
+        marks = counted((each.finding.place.file, keys[each.finding.order]) for each in ordered)
         return [each._replace(fingerprint=mark) for each, mark in zip(ordered, marks)]
 
     @cached_property

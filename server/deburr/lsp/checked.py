@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from deburr.finding import joined
 from deburr.ide.held import Held
 
 if TYPE_CHECKING:
@@ -51,8 +52,12 @@ def learn(
 
 
 def once(findings: Iterable[Finding]) -> list[Finding]:
-    """Findings in order, each once."""
-    return sorted(set(findings), key=order)
+    """Findings in order, each once, whoever finds it."""
+    found: dict[tuple[Place, str, str], Finding] = {}
+    for finding in findings:
+        known = found.get(finding.order)
+        found[finding.order] = finding if known is None else joined(known, finding)
+    return sorted(found.values(), key=order)
 
 
 def order(finding: Finding) -> tuple[Place, str, str]:

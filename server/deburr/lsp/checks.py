@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import reduce
 from heapq import merge
 from itertools import chain, groupby, islice
 from typing import TYPE_CHECKING
 
 from deburr.analysis import Analysis
-from deburr.finding import Severity
+from deburr.finding import Severity, joined
 from deburr.host import NoFiles
 from deburr.ide.held import Held
 from deburr.ide.moved import found_anew, moved, structural
@@ -81,7 +82,7 @@ class Checks:
         own = self._known.get(file)
         lists: list[Iterable[Finding]] = [own.still, own.blocks, own.ran] if own else []
         every = merge(*lists, once(self._by_others(file)), key=order)
-        return (finding for finding, _ in groupby(every))
+        return (reduce(joined, same) for _, same in groupby(every, key=order))
 
     def _by_others(self, file: str) -> list[Finding]:
         """What the checks of other programs found in a file."""
