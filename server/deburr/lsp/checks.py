@@ -61,10 +61,11 @@ class Checks:
         return tuple(self._merged(file))
 
     def first(self, file: str, count: int) -> tuple[list[Finding], int]:
-        """The first findings in a file, and about how many there are in all: as many as there are unless two checks found the same."""
+        """The first findings in a file, and how many there are in all; about how many, where there are more than these and two checks found the same."""
         own = self._known.get(file)
         several = 0 if own is None else len(own.still) + len(own.blocks) + len(own.ran)
-        return list(islice(self._merged(file), count)), several + len(self._by_others(file))
+        found = list(islice(self._merged(file), count))
+        return found, len(found) if len(found) < count else several + len(self._by_others(file))
 
     def on(self, file: str, first: int, last: int) -> list[Finding]:
         """The findings that begin on some lines of a file, both included."""
