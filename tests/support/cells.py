@@ -50,8 +50,9 @@ class Cell(NamedTuple):
 
 
 def cells(dialect: str) -> Iterator[Cell]:
-    """The cells of a dialect."""
-    for case in (FOLDER / f"{dialect}.txt").read_text(encoding="utf-8").split("=== ")[1:]:
+    """The cells of a dialect; none where nobody has written any, which the test of the table then says."""
+    file = FOLDER / f"{dialect}.txt"
+    for case in file.read_text(encoding="utf-8").split("=== ")[1:] if file.exists() else ():
         title, _, rest = case.partition("\n")
         given, _, answer = rest.partition("==>\n")
         program, *parts = _PART.split(given)
