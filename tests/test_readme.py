@@ -1,11 +1,12 @@
 """Every command that the README prints is run as printed, in a copy of the tree with a virtual environment of its own."""
 
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
+
+from support.clone import copied
 
 ROOT = Path(__file__).parent.parent
 BLOCK = re.compile(r"(?:<!-- not-run: (?P<reason>[^>]+) -->\n)?```sh\n(?P<commands>.*?)```", re.S)
@@ -26,13 +27,7 @@ def blocks(document: Path) -> list[tuple[str | None, list[str]]]:
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """What a fresh clone would hold: the files git tracks, as they are now."""
     target = tmp_path_factory.mktemp("clone")
-    listed = subprocess.run(
-        ["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True, check=True
-    )
-    for name in filter(None, listed.stdout.split("\n")):
-        if (ROOT / name).is_file():
-            (target / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(ROOT / name, target / name)
+    copied(target)
     return target
 
 

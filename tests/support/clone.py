@@ -19,9 +19,7 @@ class Clone:
         self.folder = folder
         self.made: set[str] = set()
         self.said: list[str] = []
-        for name in tracked(ROOT):
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(ROOT / name, folder / name)
+        copied(folder)
         self.before = self.files()
         # The copy's packages come before the installed ones.
         (folder / ".venv").symlink_to(sys.prefix)
@@ -55,6 +53,13 @@ class Clone:
         """How many tests passed, of each run of them."""
         found = (re.search(r"(?m)^(\d+) passed", each) for each in self.said)
         return [int(each[1]) for each in found if each]
+
+
+def copied(folder: Path) -> None:
+    """Put what git tracks into a folder."""
+    for name in tracked(ROOT):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(ROOT / name, folder / name)
 
 
 def tracked(root: Path) -> list[str]:
