@@ -205,6 +205,17 @@ def test_rounding_moves_no_centre(name: str) -> None:
         assert (flat.calls, flat.status) == (case.original.calls, 0), (size, found.lines, found.faults)
 
 
+JUDGED_ALIKE = (
+    "G81 X1 Z-1 R-2", "G81 X1 Z1 R0", "G81 X1 Z-1 R-1", "G81 X1 Z-1 R-1.00000001", "G91 G81 X1 Z-1 R0", "G82 X1 Z0 R-1 P1",
+    "G83 X1 Z0 R-1 Q1", "G18 G81 X1 Y0 R-1", "G19 G81 Y1 X0 R-1", "#1=2\nG81 X1 Z-1 R[0-#1]", "G43.2", "G43.2 H1", "#1=1\nG43.2",
+)  # fmt: skip
+"""Cycles whose level R lies below, at or above their depth, and further tool offsets with and without a tool."""
+
+
+def test_cycles_below_their_level_and_offsets_of_no_tool_are_refused_where_the_interpreter_does() -> None:
+    assert verdicts([Case(lines, f"G21 F100 M3 S100 G0 Z5\n{lines}\nM2\n") for lines in JUDGED_ALIKE]) == {}
+
+
 @pytest.mark.parametrize("part", range(2))
 def test_facts_are_refused_on_the_same_line(part: int) -> None:
     cases = [case for case in facts().values() if case.refused and case.name not in STRICTER][part::2]
