@@ -43,6 +43,13 @@ def test_the_fault_alone_is_proven(dialect: str, fault: Faulty) -> None:
         assert word in findings[0].message, findings[0].message
 
 
+@pytest.mark.parametrize("fault", [pytest.param(each, id=each.name) for each in faults("metagcode", FOLDER)])
+def test_a_run_that_lacks_values_hides_nothing(fault: Faulty) -> None:
+    """The variables of these templates have no values, so that a run ends at the first of them, in silence."""
+    findings = found(fault.example, "metagcode", runs=True)
+    assert [(f.rule, f.place.line) for f in findings] == [(f"metagcode.{fault.rule}", fault.example.places[0][0])]
+
+
 @pytest.mark.parametrize(("dialect", "fault"), FAULTS)
 def test_the_mended_program_is_clean(dialect: str, fault: Faulty) -> None:
     assert found(replace(fault.example, program=fault.mended), dialect, runs=True) == []
