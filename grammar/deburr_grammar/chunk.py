@@ -1,6 +1,6 @@
 """A stretch of whole lines and the tree of stretches. Immutable; never holds an absolute line or offset.
 
-The document is a B-tree of chunks of some 16 KB. Every node keeps how many line ends and
+The document is a B-tree of chunks of some 8 KB. Every node keeps how many line ends and
 characters it spans and, lazily, whatever is derived from its text alone. An edit makes new
 nodes on one path from leaf to root and shares the rest, so its cost does not grow with the
 file, and the sums of all untouched nodes stay known.
@@ -18,7 +18,7 @@ from typing import Any
 from deburr_grammar.line import Shape, Shapes
 from deburr_grammar.text import line_starts, split_lines, with_newlines
 
-SIZE = 16_384
+SIZE = 8_192
 FANOUT = 8
 
 

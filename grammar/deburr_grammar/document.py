@@ -86,6 +86,7 @@ class Document:
         self._size = size
         self._given = given
         self._last_way: _Way | None = None
+        self._last_place: Place | None = None
         self._known_pieces: list[Piece] = []
 
     @classmethod
@@ -319,7 +320,13 @@ class Document:
             yield from self._placed(child, inner)
 
     def _place(self, line: int) -> Place:
-        """The chunk that holds a line, found without reading any."""
+        """The chunk that holds a line, found without reading any; whoever goes along the lines looks for it once."""
+        kept = self._last_place
+        if kept is None or not kept.line <= line < kept.line + kept.chunk.eols:
+            kept = self._last_place = self._found_place(line)
+        return kept
+
+    def _found_place(self, line: int) -> Place:
         node: Branch | Chunk = self._root
         first = index = 0
         while isinstance(node, Branch):

@@ -54,17 +54,19 @@ def keep(fold: Fold[S], state: S, chunk: Chunk, key: Hashable, behind: S) -> Non
 
 def through(fold: Fold[S], state: S, chunk: Chunk, outlined: Outlined, upto: int | None = None) -> S:
     """The state behind the first ``upto`` lines of a chunk (all lines: None)."""
-    runs = dict(outlined.runs)
-    reading = outlined.runs[0][1]
+    if upto == 0:
+        return state
     held: dict[int, list[Bracket]] = {}
     for index, bracket in outlined.brackets:
+        if upto is not None and index >= upto:
+            break
         held.setdefault(index, []).append(bracket)
     if fold.only_brackets:
         for index, brackets in held.items():
-            if upto is None or index < upto:
-                node = LineNode(chunk.line(index), outlined.reading(index), chunk.shapes[index])
-                state = fold.marked(state, node, brackets)
+            node = LineNode(chunk.line(index), outlined.reading(index), chunk.shapes[index])
+            state = fold.marked(state, node, brackets)
         return state
+    runs, reading = dict(outlined.runs), outlined.runs[0][1]
     plain = fold.plain
     for index, shape in enumerate(chunk.shapes[:upto]):
         reading = runs.get(index, reading)

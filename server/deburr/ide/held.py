@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from heapq import merge
 from itertools import islice
-from typing import NamedTuple
+from operator import attrgetter
 
 from deburr.finding import Finding, Place
 
@@ -13,7 +16,8 @@ _SIZE = 64
 """Findings of a block: so many are looked at for an edit among them, and all others a block at a time."""
 
 
-class _Block(NamedTuple):
+@dataclass(frozen=True)
+class _Block:
     """Some findings in order, as they stood ``shift`` lines higher; now the first begins on a line, and none ends behind another one."""
 
     shift: int
@@ -21,9 +25,14 @@ class _Block(NamedTuple):
     last: int
     findings: tuple[Finding, ...]
 
-    def now(self) -> Iterator[Finding]:
-        """The findings where they stand."""
-        return (shifted(each, self.shift) for each in self.findings) if self.shift else iter(self.findings)
+    @cached_property
+    def now(self) -> tuple[Finding, ...]:
+        """The findings where they stand: the same ones as long as nothing moves them."""
+        return tuple(shifted(each, self.shift) for each in self.findings) if self.shift else self.findings
+
+    def moved(self, lines: int) -> _Block:
+        """The findings that many lines further down."""
+        return _Block(self.shift + lines, self.first + lines, self.last + lines, self.findings)
 
 
 class Held:
@@ -42,13 +51,17 @@ class Held:
         every = sorted(set(findings), key=_order)
         return cls(_blocks([each for each in every if not each.related]), tuple(each for each in every if each.related))
 
+    @cached_property
+    def _count(self) -> int:
+        return sum(len(block.findings) for block in self._blocks) + len(self._linked)
+
     def __len__(self) -> int:
         """How many there are."""
-        return sum(len(block.findings) for block in self._blocks) + len(self._linked)
+        return self._count
 
     def __iter__(self) -> Iterator[Finding]:
         """All of them, in order."""
-        plain = (finding for block in self._blocks for finding in block.now())
+        plain = (finding for block in self._blocks for finding in block.now)
         return merge(plain, self._linked, key=_order) if self._linked else plain
 
     def first(self, count: int) -> list[Finding]:
@@ -57,9 +70,9 @@ class Held:
 
     def on(self, first: int, last: int) -> list[Finding]:
         """Those that begin on some lines, both included."""
-        near = (
-            finding for block in self._blocks if block.first <= last and first <= block.last for finding in block.now()
-        )
+        start = bisect_left(self._blocks, first, key=attrgetter("last"))
+        stop = bisect_right(self._blocks, last, lo=start, key=attrgetter("first"))
+        near = (finding for block in self._blocks[start:stop] for finding in block.now)
         return [each for each in merge(near, self._linked, key=_order) if first <= each.place.line <= last]
 
     def changed(self, first: int, last: int, shift: int, each: Callable[[Finding], Finding | None]) -> Held:
@@ -67,17 +80,15 @@ class Held:
 
         ``each`` says where a finding stands then, or that it is gone; of plain ones it is asked only of those near these lines.
         """
-        blocks: list[_Block] = []
-        for block in self._blocks:
-            if block.last < first:
-                blocks.append(block)
-            elif block.first > last:
-                moved = _Block(block.shift + shift, block.first + shift, block.last + shift, block.findings)
-                blocks.append(moved if shift else block)
-            else:
-                blocks += _blocks([found for one in block.now() if (found := each(one)) is not None])
+        start = bisect_left(self._blocks, first, key=attrgetter("last"))
+        stop = bisect_right(self._blocks, last, lo=start, key=attrgetter("first"))
+        near = [found for block in self._blocks[start:stop] for one in block.now if (found := each(one)) is not None]
+        behind = self._blocks[stop:]
+        if shift:
+            behind = tuple(block.moved(shift) for block in behind)
+        blocks = self._blocks[:start] + _blocks(near) + behind
         linked = (found for one in self._linked if (found := each(one)) is not None)
-        return Held(tuple(blocks), tuple(sorted(linked, key=_order)))
+        return Held(blocks, tuple(sorted(linked, key=_order)))
 
     def without(self, lines: Sequence[int], rules: frozenset[str]) -> Held:
         """Those that some rules did not find on some lines (in order), or that stand elsewhere."""
@@ -102,12 +113,12 @@ class Held:
         linked = {each for each in new if each.related}
         blocks = list(self._blocks)
         for line in sorted({each.place.line for each in new - linked}):
-            number = next((at for at, block in enumerate(blocks) if line <= block.last), len(blocks) - 1)
+            number = min(bisect_left(blocks, line, key=attrgetter("last")), len(blocks) - 1)
             there = {each for each in new - linked if each.place.line == line}
             if number < 0:
                 blocks += _blocks(sorted(there, key=_order))
             else:
-                blocks[number : number + 1] = _blocks(sorted({*blocks[number].now(), *there}, key=_order))
+                blocks[number : number + 1] = _blocks(sorted({*blocks[number].now, *there}, key=_order))
         return Held(tuple(blocks), tuple(sorted({*self._linked, *linked}, key=_order)) if linked else self._linked)
 
 

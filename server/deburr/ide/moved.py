@@ -83,7 +83,7 @@ def _moved(finding: Finding, change: Change) -> Finding | None:
         return None
     file = finding.place.file
     related = tuple(each if each.place.file != file else _related(each, change) for each in finding.related)
-    return finding if place is finding.place and not related else finding._replace(place=place, related=related)
+    return finding if place == finding.place and not related else finding._replace(place=place, related=related)
 
 
 def _related(related: Related, change: Change) -> Related:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from functools import partial
+from typing import TYPE_CHECKING
 
 from deburr.ruleset import RuleSet
-from deburr.symbols import Act, Sort, Symbol, language_of
-from deburr.symbols.index import Placed, Region, all_symbols, mentions_of
+from deburr.symbols import Act, Language, Sort, Symbol, language_of
+from deburr.symbols.index import Placed, Region, led_to, mentions_of
 
 if TYPE_CHECKING:
     from deburr.host import Host
@@ -27,6 +28,8 @@ class _Glance:
         self._host = host
         self._texts: dict[str, str | None] = {}
         self._names: dict[str, Sequence[str]] = {}
+        self.name = object()
+        """Under this is kept what was found by it, which so does not keep the texts."""
 
     def read(self, path: str) -> str | None:
         """The text of a file."""
@@ -48,17 +51,9 @@ class _Glance:
         )
 
 
-class _Led(NamedTuple):
-    """The files to which the names of a program lead, and what was looked at to know that."""
-
-    symbols: frozenset[Symbol]
-    glance: _Glance
-    files: tuple[str, ...]
-
-
 _KEPT = 1_024
-_led: OrderedDict[tuple[str, RuleSet], _Led] = OrderedDict()
-"""Of each program as it was last asked about: an edit seldom changes what it calls."""
+_glances: OrderedDict[tuple[str, RuleSet], _Glance] = OrderedDict()
+"""What was looked at for each program that was asked about."""
 
 
 def called(view: View) -> Iterator[View]:
@@ -74,18 +69,20 @@ def _files(view: View) -> tuple[str, ...]:
     language = language_of(view.dialect.name)
     if language is None:
         return ()
-    symbols, key = all_symbols(view.document, *_FILES), (view.file, view.ruleset)
-    kept = _led.get(key)
-    same = kept is not None and (kept.symbols is symbols or kept.symbols == symbols)
-    if kept is None or not same or not kept.glance.holds(view.host):
+    key = view.file, view.ruleset
+    glance = _glances.get(key)
+    if glance is None or not glance.holds(view.host):
         glance = _Glance(view.host)
-        found = (language.file(symbol, view.file, view.ruleset, glance) for symbol in symbols)
-        kept = _Led(symbols, glance, tuple(sorted({path for path in found if path is not None and path != view.file})))
-    _led[key] = kept
-    _led.move_to_end(key)
-    if len(_led) > _KEPT:
-        _led.popitem(last=False)
-    return kept.files
+    _glances[key] = glance
+    _glances.move_to_end(key)
+    if len(_glances) > _KEPT:
+        _glances.popitem(last=False)
+    found = led_to(view.document, glance.name, partial(_file, language, view, glance), *_FILES)
+    return tuple(sorted(found - {view.file}))
+
+
+def _file(language: Language, view: View, glance: _Glance, symbol: Symbol) -> str | None:
+    return language.file(symbol, view.file, view.ruleset, glance)
 
 
 def related(view: View) -> list[View]:

@@ -16,6 +16,7 @@ from deburr.ide.held import Held
 from deburr.ide.moved import found_anew, moved, structural
 from deburr.lsp.checked import Checked, learn, once, order, release
 from deburr.needs import Needs
+from deburr.steps import let_go
 
 if TYPE_CHECKING:
     from deburr.finding import Finding
@@ -182,6 +183,7 @@ class Checks:
             self._failed(error)
         finally:
             # What was derived holds the analysis, which holds it: let go, it need not be looked for.
+            self._idle.start(object(), let_go(list(analysis.memo.values())))
             analysis.memo.clear()
         self._finish(known, file, needs, before)
 

@@ -6,7 +6,7 @@ import json
 from itertools import count
 from typing import TYPE_CHECKING
 
-from deburr.lsp.report import MOST, capped
+from deburr.lsp.report import MOST, Written
 
 if TYPE_CHECKING:
     from deburr.lsp.checks import Checks
@@ -25,6 +25,7 @@ class Publisher:
         self._protocol = protocol
         self._session = session
         self._sent: dict[str, tuple[int | None, str]] = {}
+        self._written: dict[str, Written] = {}
         self._numbers = count(1)
 
     def changed(self, file: str) -> None:
@@ -32,12 +33,13 @@ class Publisher:
         if self._session.client.pulls:
             return
         program = self._session.open_files.get(file)
-        items = capped(*self.checks.first(file, MOST), self._session)
+        items = self._written.setdefault(file, Written()).capped(*self.checks.first(file, MOST), self._session)
         version = program.version if program is not None else None
         if self._sent.get(file, (None, _NONE)) == (version, items):
             return
         if program is None and items == _NONE:
             self._sent.pop(file, None)
+            self._written.pop(file, None)
         else:
             self._sent[file] = version, items
         number = "" if version is None else f', "version": {version}'

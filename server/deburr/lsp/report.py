@@ -31,15 +31,27 @@ def diagnostics(findings: Iterable[Finding], session: Session) -> list[Json]:
     return list(_Report(session).all(findings))
 
 
-def capped(findings: Sequence[Finding], several: int, session: Session) -> str:
-    """The first findings for the client, of ``several`` in all, as the text of a list; and how many more there are."""
-    report = _Report(session)
-    found = [report.text(finding) for finding in findings[:MOST]]
-    if several > len(found) and found:
-        last = report.range(findings[len(found) - 1].place)
-        rest = f"{several - len(found)} more findings below"
-        found.append(json.dumps({"range": last, "severity": 3, "source": "deburr", "message": rest}))
-    return f"[{', '.join(found)}]"
+class Written:
+    """The diagnostics of one file as they were pushed last: a finding that still stands where it stood is not written once more."""
+
+    def __init__(self) -> None:
+        self._texts: dict[int, tuple[Finding, str]] = {}
+
+    def capped(self, findings: Sequence[Finding], several: int, session: Session) -> str:
+        """The first findings for the client, of ``several`` in all, as the text of a list; and how many more there are."""
+        report = _Report(session)
+        before, self._texts = self._texts, {}
+        for finding in findings[:MOST]:
+            kept = before.get(id(finding))
+            # What stands before it on its line is as it was: whatever is typed there makes another finding of it.
+            same = kept is not None and kept[0] is finding and not finding.related
+            self._texts[id(finding)] = kept if kept and same else (finding, report.text(finding))
+        found = [text for _, text in self._texts.values()]
+        if several > len(found) and found:
+            last = report.range(findings[len(found) - 1].place)
+            rest = f"{several - len(found)} more findings below"
+            found.append(json.dumps({"range": last, "severity": 3, "source": "deburr", "message": rest}))
+        return f"[{', '.join(found)}]"
 
 
 def result_id(items: Sequence[Json]) -> str:

@@ -73,12 +73,8 @@ def at(document: Document, line: int, col: int) -> Placed | None:
 
 def region(document: Document, line: int) -> Region:
     """The region that a line is in; its first and last line are in it."""
-    before = document.state(_REGIONS, line)
     piece = document.piece(line)
-    for index, bracket in piece.outlined.brackets:
-        if piece.line + index == line and bracket.role is Role.REGION:
-            return _behind(before, bracket)
-    return before
+    return _in_force(_regions(document, piece), line - piece.line, document, piece)
 
 
 def mentions_of(document: Document, symbol: Symbol, where: Region = None, act: Act | None = None) -> Iterator[Placed]:
@@ -87,7 +83,7 @@ def mentions_of(document: Document, symbol: Symbol, where: Region = None, act: A
     if index is None or symbol.sort not in SOUGHT:
         return
     for piece in index.within(symbol, where) if symbol.local else index.pieces(symbol, act):
-        regions = index.regions(piece) if symbol.local else ()
+        regions = _regions(document, piece) if symbol.local else ()
         for at, mention in index.placed(piece)[symbol]:
             if act is not None and mention.act is not act:
                 continue
@@ -104,6 +100,20 @@ def all_symbols(document: Document, *sorts: Sort) -> frozenset[Symbol]:
         return document.gathered(index.key, index.symbols)
     chosen = frozenset(sorts)
     return document.gathered((index.key, chosen), lambda piece: _of_sorts(index.symbols(piece), chosen))
+
+
+def led_to(document: Document, key: Hashable, where: Callable[[Symbol], str | None], *sorts: Sort) -> frozenset[str]:
+    """All to which symbols of some sorts lead. ``where`` is asked once of the names of each part of a program, under the key."""
+    index = _Index.of(document)
+    if index is None:
+        return frozenset()
+    chosen = frozenset(sorts)
+
+    def of(piece: Piece) -> frozenset[str]:
+        found = map(where, _of_sorts(index.symbols(piece), chosen))
+        return frozenset(each for each in found if each is not None)
+
+    return document.gathered((index.key, chosen, key), of)
 
 
 def first_symbols(document: Document, sort: Sort, begun: str, most: int) -> list[Symbol]:
@@ -178,19 +188,6 @@ class _Index:
                 yield piece
             last = piece.line
 
-    def regions(self, piece: Piece) -> tuple[tuple[int, Region], ...]:
-        """From which of its lines on a piece is in which region, as far as its own brackets say."""
-        key = ("regions", self._document.key(piece))
-        found: tuple[tuple[int, Region], ...] | None = piece.chunk.memo.get(key)
-        if found is None:
-            changes = [
-                (index + (bracket.role is Role.END_REGION), _behind(None, bracket))
-                for index, bracket in piece.outlined.brackets
-                if bracket.role in (Role.REGION, Role.END_REGION)
-            ]
-            found = piece.chunk.memo[key] = tuple(changes)
-        return found
-
     def _behind(self, left: Piece, symbol: Symbol) -> Iterator[Piece]:
         """The pieces behind one that name a symbol in the region in which that one ends."""
         # The last piece may have no line end, and so none behind it.
@@ -200,7 +197,7 @@ class _Index:
                 return
             if symbol in self.placed(left):
                 yield left
-            if self.regions(left):
+            if _regions(self._document, left):
                 return
 
     def _holding(self, item: _Local) -> Iterator[Piece]:
@@ -208,7 +205,7 @@ class _Index:
 
     def _locals(self, piece: Piece) -> frozenset[_Local]:
         """The local symbols of a piece with their regions, and the region in which it ends if one of its lines opened that."""
-        regions = self.regions(piece)
+        regions = _regions(self._document, piece)
         found: set[_Local] = {(None, regions[-1][1])} if regions else set()
         for symbol, placed in self.placed(piece).items():
             if symbol.local:
@@ -248,6 +245,20 @@ class _Index:
         for index, _, _ in piece.where(lambda reading, shape: _names_any(shape.facts(reading), naming)):
             for mention in _of_line(piece.node(index), self._language, self._names):
                 yield index, mention
+
+
+def _regions(document: Document, piece: Piece) -> tuple[tuple[int, Region], ...]:
+    """From which of its lines on a piece is in which region, as far as its own brackets say; kept with the chunk."""
+    key = ("regions", document.key(piece))
+    found: tuple[tuple[int, Region], ...] | None = piece.chunk.memo.get(key)
+    if found is None:
+        changes = [
+            (index + (bracket.role is Role.END_REGION), _behind(None, bracket))
+            for index, bracket in piece.outlined.brackets
+            if bracket.role in (Role.REGION, Role.END_REGION)
+        ]
+        found = piece.chunk.memo[key] = tuple(changes)
+    return found
 
 
 def _said(regions: Sequence[tuple[int, Region]], index: int) -> Region:

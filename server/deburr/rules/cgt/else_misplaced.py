@@ -55,9 +55,12 @@ from deburr.templates.items import Body, Item
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the command."""
     template = template_of(analysis)
+    bodies = {id(body): body for _, _, body in template.of("else")}
+    # A section may hold thousands of them: each is found in its body by a look-up.
+    places = {id(part): at for body in bodies.values() for at, part in enumerate(body.parts)}
     for item, _, body in template.of("else"):
         if item.line not in template.faulty_lines:
-            at = body.parts.index(item)
+            at = places[id(item)]
             yield from _of(item, body.parts[at - 1] if at else None, body.parts[at + 1 : at + 2])
 
 

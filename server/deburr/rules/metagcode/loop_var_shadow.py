@@ -44,6 +44,7 @@ from collections.abc import Iterator, Sequence
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered
+from deburr.steps import paced
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.metagcode.forms import counters
 from deburr_grammar.dialects.metagcode.limits import NESTED
@@ -53,10 +54,14 @@ from deburr_grammar.text import Span
 
 
 @rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the variable of each such loop, or the line that brings the loop in."""
     blocks = gathered(analysis)
-    for placed, around in blocks.visits():
+    for visit in paced(blocks.visits()):
+        if visit is None:
+            yield None
+            continue
+        placed, around = visit
         bracket = placed.bracket
         if len(around) > NESTED:
             # Deeper than blocks may be nested, that is what must be mended.

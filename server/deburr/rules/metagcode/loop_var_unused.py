@@ -41,6 +41,7 @@ from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered
 from deburr.rules.metagcode._variables import names_of
 from deburr.rules.metagcode._words import nearest
+from deburr.steps import paced
 from deburr_grammar.dialects.metagcode.forms import counters
 from deburr_grammar.dialects.metagcode.limits import NESTED
 from deburr_grammar.document import Document
@@ -51,11 +52,15 @@ _COMPARED = 100
 
 
 @rule(Severity.INFO, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the variable in the header. An empty body says nothing, and what a missing snippet says is not known."""
     blocks, document = gathered(analysis), analysis.document
     lines = [line for line, _ in blocks.files]
-    for opener, closer, depth in blocks.pairs:
+    for pair in paced(blocks.pairs):
+        if pair is None:
+            yield None
+            continue
+        opener, closer, depth = pair
         if opener.bracket.kind != "loop" or Foreign in (type(opener.bracket), type(closer.bracket)) or depth > NESTED:
             continue
         first, stop = opener.line + 1, closer.line

@@ -7,7 +7,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('abort', 3, True, False, True, 'Ran', {}, False),
     ('arc_form', 3, True, False, False, 'Modal', {'kinds': ('word',)}, False),
     ('arc_radius', 3, True, False, False, 'Whole', {}, False),
-    ('argument_missing', 2, True, False, False, 'Whole', {}, False),
+    ('argument_missing', 2, True, False, False, 'Whole', {}, True),
     ('atan_form', 3, True, False, False, 'Syntax', {'kinds': (), 'only': None}, False),
     ('axis_conflict', 3, True, False, False, 'Nodes', {'kinds': ('line',), 'by_shape': True}, False),
     ('axis_letter', 3, True, False, False, 'Nodes', {'kinds': ('line',), 'by_shape': True}, False),

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Generator, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from heapq import merge
 from math import inf
-from operator import itemgetter
+from operator import attrgetter, itemgetter
 from typing import Any
 
 from deburr.analysis import Analysis
@@ -148,6 +148,11 @@ class Program:
         """The sub that a line stands in; None in the main program."""
         at = bisect_right(self._starts, line) - 1
         return self.subs[at] if at >= 0 and line <= self.subs[at].end else None
+
+    def uses_in(self, sub: Sub) -> list[Use]:
+        """The parameters in a sub, in order of lines."""
+        first = bisect_left(self.uses, sub.start, key=attrgetter("line"))
+        return self.uses[first : bisect_right(self.uses, sub.end, lo=first, key=attrgetter("line"))]
 
     def around(self, call: Call) -> Block | None:
         """The block directly around a call."""

@@ -42,7 +42,8 @@ from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._files import World, said, world_of
 from deburr.rules.rs274._frame import is_part
 from deburr.rules.rs274._held import Call, Role, Use
-from deburr.rules.rs274._program import Program, Sub
+from deburr.rules.rs274._program import Program, Sub, ready
+from deburr.steps import paced
 from deburr_grammar.document import Document
 
 _ARGUMENTS = range(1, 31)
@@ -51,19 +52,22 @@ _MOST = 5
 _ASKING = frozenset(("IF", "ELSEIF", "WHILE", "REPEAT"))
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the first read of each argument."""
     world = world_of(analysis)
     main = world.main
-    reads = [use for use in main.uses if use.role is Role.READ and use.number in _ARGUMENTS]
-    if not reads or not main.calls or not main.sound or world.nested or is_part(analysis) or not _are_known(world):
+    if not main.calls or not main.sound or world.nested or is_part(analysis) or not _are_known(world):
         return
-    for sub in main.subs:
-        calls = [call for call in main.calls if call.label == sub.label]
-        if calls and sub.label is not None and len(main.by_label[sub.label]) == 1:
-            passed = max(_passed(main.document, call) for call in calls)
-            yield from _unpassed(main, sub, calls, passed, reads)
+    calls: dict[str | None, list[Call]] = {}
+    for call in main.calls:
+        calls.setdefault(call.label, []).append(call)
+    for sub in paced(main.subs):
+        if sub is None:
+            yield None
+        elif sub.label in calls and sub.label is not None and len(main.by_label[sub.label]) == 1:
+            passed = max(_passed(main.document, call) for call in calls[sub.label])
+            yield from _unpassed(main, sub, calls[sub.label], passed)
 
 
 def _are_known(world: World) -> bool:
@@ -74,14 +78,14 @@ def _are_known(world: World) -> bool:
     )
 
 
-def _unpassed(main: Program, sub: Sub, calls: list[Call], passed: int, reads: list[Use]) -> Iterator[Report]:
-    own = [use for use in main.uses if sub.start <= use.line <= sub.end]
+def _unpassed(main: Program, sub: Sub, calls: list[Call], passed: int) -> Iterator[Report]:
+    own = main.uses_in(sub)
     if any(use.name is None and use.number is None for use in own):
         return
     spared = {use.number for use in own if use.role is not Role.READ or _asks(main.document, use)}
-    for use in reads:
+    for use in own:
         number = use.number or 0
-        if sub.start <= use.line <= sub.end and number > passed and number not in spared:
+        if use.role is Role.READ and number in _ARGUMENTS and number > passed and number not in spared:
             spared.add(number)
             related = tuple(Note(call.line, call.span, "called here") for call in calls[:_MOST])
             message = f"no call of `{said(sub.label)}` passes an argument `#{number}`; the control takes 0 for it"

@@ -43,7 +43,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('index_not_integer', 3, True, False, False, 'Nodes', {'kinds': ('vector',), 'by_shape': False}, False),
     ('index_range', 3, True, False, False, 'Nodes', {'kinds': ('vector',), 'by_shape': False}, False),
     ('jump_expression', 1, True, False, False, 'Nodes', {'kinds': ('jump',), 'by_shape': False}, False),
-    ('jump_first_line', 2, True, False, False, 'Whole', {}, False),
+    ('jump_first_line', 2, True, False, False, 'Whole', {}, True),
     ('jump_target_duplicate', 3, True, False, False, 'Whole', {}, False),
     ('jump_target_missing', 3, True, False, False, 'Whole', {}, False),
     ('label_unused', 1, False, False, False, 'Whole', {}, False),

@@ -1,7 +1,7 @@
 """What rules on the whole program share: lines by what stands in them, block numbers, jumps, sections. Kept with each chunk."""
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from posixpath import basename, dirname, normpath
 from typing import NamedTuple
 from weakref import WeakKeyDictionary
@@ -12,6 +12,7 @@ from deburr.expand.z32.unit import ACTIVE
 from deburr.includes import z32 as stores
 from deburr.rule import Line
 from deburr.rules.z32._values import known
+from deburr.steps import done, kept, paced
 from deburr_grammar.dialects.z32.forms import NUMBERED, number, number_of
 from deburr_grammar.document import Piece
 from deburr_grammar.line import LineNode
@@ -128,12 +129,27 @@ def _labels(analysis: Analysis, piece: Piece) -> Mapping[float, list[int]]:
 
 def jumps(analysis: Analysis) -> tuple[Jump, ...]:
     """All GON instructions."""
-    if "z32 jumps" not in analysis.memo:
-        placed = [(at, Line(node, analysis.settings)) for at, node in lines(analysis, "jump")]
-        found = [_jump(at, line, jump) for at, line in placed for jump in line.node.find("jump")]
-        analysis.memo["z32 jumps"] = tuple(found)
-    jumps: tuple[Jump, ...] = analysis.memo["z32 jumps"]
-    return jumps
+    return done(_jumping(analysis))
+
+
+def ready_jumps(analysis: Analysis) -> Iterator[None]:
+    """Find the GON instructions, in steps."""
+    yield from _jumping(analysis)
+
+
+def _jumping(analysis: Analysis) -> Generator[None, None, tuple[Jump, ...]]:
+    return kept(analysis.memo, "z32 jumps", lambda: _all_jumps(analysis))
+
+
+def _all_jumps(analysis: Analysis) -> Generator[None, None, tuple[Jump, ...]]:
+    found: list[Jump] = []
+    for placed in paced(lines(analysis, "jump")):
+        if placed is None:
+            yield
+            continue
+        line = Line(placed[1], analysis.settings)
+        found += [_jump(placed[0], line, jump) for jump in line.node.find("jump")]
+    return tuple(found)
 
 
 def _jump(at: int, line: Line, jump: Node) -> Jump:

@@ -32,10 +32,10 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.arithmetic.z32 import shown
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.z32._program import first_line, jumps, labels
+from deburr.rules.z32._program import first_line, jumps, labels, ready_jumps
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready_jumps))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the number that is jumped to."""
     found = jumps(analysis)

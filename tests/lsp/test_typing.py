@@ -1,0 +1,127 @@
+"""What a keystroke in a large program costs beside the program's own lines: counted in what is done again, not in seconds."""
+
+from __future__ import annotations
+
+import sys
+from types import FrameType
+from typing import Any
+
+import pytest
+
+from deburr.analysis import Analysis
+from deburr.finding import Finding
+from deburr.lsp.report import _Report
+from deburr.ruleset import RuleSet
+from deburr.steps import let_go
+from deburr.symbols import Sort, Symbol
+from deburr.symbols.index import led_to
+from deburr_grammar.dialects import by_name
+from deburr_grammar.document import Document
+from deburr_grammar.text import Edit, Pos
+from support.inside import Inside
+from support.large import large
+
+URI = "file:///a.ngc"
+FAULTY = 300
+PUSHES: dict[str, Any] = {}
+
+
+def typed(inside: Inside, line: int, text: str) -> None:
+    place = {"line": line, "character": 0}
+    change = {"range": {"start": place, "end": place}, "text": text}
+    inside.notify("textDocument/didChange", {"textDocument": {"uri": URI, "version": 2}, "contentChanges": [change]})
+
+
+def last(inside: Inside) -> list[Any]:
+    found: list[Any] = [each for each in inside.said if each.get("method") == "textDocument/publishDiagnostics"]
+    said: list[Any] = found[-1]["params"]["diagnostics"]
+    return said
+
+
+@pytest.mark.parametrize(("text", "lines", "most"), [(" ", 0, 2), ("\n", 1, FAULTY - 200 + 2)])
+def test_what_still_stands_where_it_stood_is_not_written_once_more(
+    text: str, lines: int, most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written: list[Finding] = []
+    plain = _Report.text
+
+    def text_of(report: _Report, finding: Finding) -> str:
+        written.append(finding)
+        return plain(report, finding)
+
+    monkeypatch.setattr(_Report, "text", text_of)
+    with Inside(PUSHES) as inside:
+        inside.open(URI, "G21 G90\n" + "G1 X1 (a (b)\n" * FAULTY + "M2\n", "rs274")
+        inside.settle()
+        before = [each["range"]["start"]["line"] for each in last(inside)]
+        written.clear()
+        typed(inside, 201, text)
+        assert len(written) <= most
+        expected = [line + (lines if line >= 201 else 0) for line in before]
+        assert [each["range"]["start"]["line"] for each in last(inside)] == expected
+
+
+def test_only_the_names_of_the_part_that_was_edited_are_looked_up_again() -> None:
+    document, asked = Document.parse(large("rs274", 400), by_name("rs274")), list[Symbol]()
+
+    def where(symbol: Symbol) -> str | None:
+        asked.append(symbol)
+        return symbol.name if symbol.name == "part7" else None
+
+    assert led_to(document, "k", where, Sort.SUB) == {"part7"}
+    assert len(asked) >= 400
+    asked.clear()
+    assert led_to(document, "k", where, Sort.SUB) == {"part7"}
+    assert not asked
+    middle = document.line_count // 2
+    edited = document.edit(Edit(Pos(middle, 0), Pos(middle, 0), "(x)"))
+    assert led_to(edited, "k", where, Sort.SUB) == {"part7"}
+    assert 0 < len(asked) <= edited.piece(middle).lines
+
+
+class _Thing:
+    alive = 0
+
+    def __init__(self, held: object) -> None:
+        self.held = held
+        _Thing.alive += 1
+
+    def __del__(self) -> None:
+        _Thing.alive -= 1
+
+
+def test_what_is_known_is_let_go_in_steps_and_what_others_have_stays() -> None:
+    shared = _Thing([_Thing(None)])
+    found: list[Any] = [{at: [_Thing((at,))] for at in range(5_000)}, shared]
+    steps = let_go(found)
+    before, most = _Thing.alive, 0
+    for _ in steps:
+        most, before = max(most, before - _Thing.alive), _Thing.alive
+    assert 0 < most <= 256
+    assert _Thing.alive == 2
+    assert isinstance(shared.held, list)
+
+
+@pytest.mark.parametrize("dialect", ["rs274", "cgt"])
+def test_rules_on_the_whole_program_do_as_much_more_as_it_is_longer(dialect: str) -> None:
+    few, many = (work(dialect, parts) for parts in (100, 400))
+    assert many <= 6 * few
+
+
+def work(dialect: str, parts: int) -> int:
+    """How many functions a check calls."""
+    count = 0
+
+    def called(frame: FrameType, event: str, argument: object) -> None:
+        nonlocal count
+        count += event == "call"
+
+    ruleset = RuleSet(by_name(dialect))
+    Analysis(Document.parse(large(dialect, 2), by_name(dialect)), ruleset, "a").findings()
+    analysis = Analysis(Document.parse(large(dialect, parts), by_name(dialect)), ruleset, "a")
+    sys.setprofile(called)
+    try:
+        analysis.findings()
+    finally:
+        sys.setprofile(None)
+    return count
