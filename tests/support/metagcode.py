@@ -1,6 +1,7 @@
 """MetaGCODE programs that are checked and run in memory."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from random import Random
 from typing import Any
 
 from deburr.analysis import Analysis
@@ -14,6 +15,9 @@ from support.pages import MemoryHost
 
 DIALECT = by_name("metagcode")
 RULES = RuleSet(DIALECT)
+NAMES = ("a", "b", "c", "d")
+LITERALS = ("0", "1", "2", "-1", "5", "10", "0.3", "-2.5", "Steel", "Brass")
+OPERATORS = ("greaterthan", "lessthan", "equalto", "notequalto")
 
 
 def expanded(
@@ -52,3 +56,27 @@ def found(
 def said(program: str, files: Mapping[str, str] | None = None, **more: Any) -> list[str]:
     """The rules that speak and their lines, counted from 1: `block-unclosed 3`."""
     return [f"{each.rule.removeprefix('metagcode.')} {each.place.line + 1}" for each in found(program, files, **more)]
+
+
+def program(rng: Random) -> str:
+    """A program of conditions and loops in each other."""
+    return "\n".join(_block(rng, 3)) + "\n"
+
+
+def _block(rng: Random, depth: int) -> Iterator[str]:
+    for _ in range(rng.randint(1, 3)):
+        label = rng.randint(1, 99)
+        sort = rng.random() if depth else 1.0
+        if sort < 0.6:
+            sides = [f"|{rng.choice(NAMES)}|", rng.choice((*LITERALS, f"|{rng.choice(NAMES)}|"))]
+            rng.shuffle(sides)
+            yield f"#IF{label} {sides[0]} {rng.choice(OPERATORS)} {sides[1]} {rng.choice('nna')}"
+            yield from _block(rng, depth - 1)
+            yield f"#ENDIF{label}"
+        elif sort < 0.8:
+            total, step = rng.choice(NAMES), rng.choice(("1", "2.5", f"|{rng.choice(NAMES)}|"))
+            yield f"#LOOP{label} |{total}| {step} {rng.choice('cr')}"
+            yield from _block(rng, depth - 1)
+            yield f"#ENDLOOP{label}"
+        else:
+            yield f"G1 X{rng.choice(('', '-', '+'))}|{rng.choice(NAMES)}|"

@@ -16,12 +16,10 @@ from deburr.values import proving, values_of
 from deburr.values.domain import Value
 from deburr.values.metagcode.orders import Order
 from deburr_grammar.dialects.metagcode.forms import number
+from support.metagcode import NAMES, program
 from support.values import MAIN, Known, analysed, known
 
-NAMES = ("a", "b", "c", "d")
 NUMBERS = ("0", "1", "2", "-1", "-3", "0.5", "5", "10", ".3", "-0.0", "7.25", "5.00", "1e3", "Steel", "Brass", "")
-LITERALS = ("0", "1", "2", "-1", "5", "10", "0.3", "-2.5", "Steel", "Brass")
-OPERATORS = ("greaterthan", "lessthan", "equalto", "notequalto")
 
 SILENT = {
     "a variable of which nothing is known": "#LOOP1 |z| |s| c\nG1 Z-|z|\n#ENDLOOP1\n",
@@ -161,32 +159,9 @@ def test_a_wrong_order_of_texts_would_be_seen(monkeypatch: pytest.MonkeyPatch) -
             _watched(seed)
 
 
-def _program(rng: Random) -> str:
-    return "\n".join(_block(rng, 3)) + "\n"
-
-
-def _block(rng: Random, depth: int) -> Iterator[str]:
-    for _ in range(rng.randint(1, 3)):
-        label = rng.randint(1, 99)
-        sort = rng.random() if depth else 1.0
-        if sort < 0.6:
-            sides = [f"|{rng.choice(NAMES)}|", rng.choice((*LITERALS, f"|{rng.choice(NAMES)}|"))]
-            rng.shuffle(sides)
-            yield f"#IF{label} {sides[0]} {rng.choice(OPERATORS)} {sides[1]} {rng.choice('nna')}"
-            yield from _block(rng, depth - 1)
-            yield f"#ENDIF{label}"
-        elif sort < 0.8:
-            total, step = rng.choice(NAMES), rng.choice(("1", "2.5", f"|{rng.choice(NAMES)}|"))
-            yield f"#LOOP{label} |{total}| {step} {rng.choice('cr')}"
-            yield from _block(rng, depth - 1)
-            yield f"#ENDLOOP{label}"
-        else:
-            yield f"G1 X{rng.choice(('', '-', '+'))}|{rng.choice(NAMES)}|"
-
-
 def _watched(seed: int) -> int:
     rng = Random(seed)
-    analysis = analysed(_program(rng), "metagcode")
+    analysis = analysed(program(rng), "metagcode")
     found = known(analysis)
     if found is None:
         return 0

@@ -57,11 +57,13 @@ class Summary(NamedTuple):
 
     ``env``: what the variables hold that it may set, when it returns; None: it does not return.
     ``touched`` and ``written``: the shared variables that concern it, and those that it may set, by itself and by its own calls; None: all.
+    ``mentions``: the variables that it reads or sets itself; None: who knows which.
     """
 
     env: Env | None
     touched: frozenset[Key] | None
     written: frozenset[Key] | None
+    mentions: frozenset[Key] | None
 
 
 class Calls(Protocol):
@@ -160,14 +162,22 @@ def widen(old: Env, new: Env) -> Env:
 
 
 def _merged(one: Env, two: Env, merge: Callable[[Value, Value], Value]) -> Env:
+    """What is made of the values of both; the first itself where that is the same."""
     found = {}
+    same = True
+    get = two.get
     for key, value in one.items():
-        other = two.get(key)
-        if other is not None:
-            both = value if value is other else merge(value, other)
-            if both != ANY:
-                found[key] = both
-    return found
+        other = get(key)
+        if other is None:
+            same = False
+            continue
+        both = value if value is other else merge(value, other)
+        if both != ANY:
+            found[key] = both
+            same = same and both is value
+        else:
+            same = False
+    return one if same else found
 
 
 def joined_all(envs: Iterable[Env]) -> Env | None:

@@ -3,10 +3,17 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from functools import lru_cache
 from typing import TYPE_CHECKING, Generic, TypeVar
+
+from deburr_grammar.line import LineNode
 
 if TYPE_CHECKING:
     from collections.abc import Hashable
+
+    from deburr_grammar.dialect import Reading
+    from deburr_grammar.document import Piece
+    from deburr_grammar.line import Shape
 
 T = TypeVar("T")
 LINES = 4_000
@@ -46,3 +53,13 @@ class Kept(Generic[T]):
         while self.lines > self._most and len(self._found) > 1:
             self.lines -= self._found.popitem(last=False)[1][0]
         return value
+
+
+def line_of(piece: Piece, index: int) -> LineNode:
+    """A line of a piece: one that says the same as before is the same, so that what hangs on it need not be found again."""
+    return _line(piece.chunk.line(index), piece.outlined.reading(index), piece.chunk.shapes[index])
+
+
+@lru_cache(maxsize=LINES)
+def _line(text: str, reading: Reading, shape: Shape) -> LineNode:
+    return LineNode(text, reading, shape)

@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 from deburr.values.domain import Value, joined
 from deburr.values.graph import Env, Graph, Key, Summary, join, unset, widen
-from deburr.values.kept import Kept
+from deburr.values.ledger import Solved, fit, gone_through
+from deburr.values.reach import callers_first, unknown
 from deburr.values.solve import Solution
 
 _PATIENCE = 2
@@ -22,7 +23,6 @@ _BACK = 3
 """Rounds in which what routines are called with gets less. The values of each round are true, so that any number will do."""
 _DEEPEST = 20
 """Through so many routines in each other one goes at once."""
-_VERSIONS = 4
 
 
 class Routine(NamedTuple):
@@ -45,14 +45,6 @@ class Routine(NamedTuple):
         return self.files is not None and not self.shared and file not in self.files
 
 
-class Solved(NamedTuple):
-    """A routine's values, what it called and with what, and what it was told of what it called: None of something that nobody can see."""
-
-    solution: Solution
-    called: Mapping[str, Env]
-    told: Mapping[str, Summary | None]
-
-
 class Program:
     """The values of a program, routine by routine."""
 
@@ -61,19 +53,20 @@ class Program:
         self.routines = routines
         self.is_general = general
         self.solved: dict[str, Solved] = {}
-        self._summaries: dict[str, Summary] = {}
         self._entries: dict[str, Env] = {}
         self._grown: Counter[tuple[str, bool]] = Counter()
-        self._waiting: list[str] = []
+        self._waiting: set[str] = set()
         self._active: list[str] = []
         self._is_settled = False
         """Whether nothing grows any more, and calls are only noted."""
+        graphs = {name: routine.graph for name, routine in routines.items()}
+        order = callers_first(graphs)
+        self._rank = {name: at for at, name in enumerate(order)}
+        self._summaries = unknown(graphs, order)
         self._callers: dict[str, list[str]] = {name: [] for name in routines}
-        for routine in routines.values():
-            for callee in sorted(routine.graph.callees & routines.keys()):
-                self._callers[callee].append(routine.name)
-        for name in routines:
-            self._summaries[name] = Summary(None, self._reached(name, False), self._reached(name, True))
+        for name, graph in graphs.items():
+            for callee in sorted(graph.callees & routines.keys()):
+                self._callers[callee].append(name)
 
     @cached_property
     def general(self) -> Program:
@@ -96,12 +89,15 @@ class Program:
 
     def solving(self) -> Iterator[None]:
         """Find the values, in work that can be left at each step."""
-        _kept.fit(_VERSIONS * sum(len(routine.graph.nodes) for routine in self.routines.values()))
+        fit(sum(len(routine.graph.nodes) for routine in self.routines.values()))
         for routine in self.routines.values():
             if routine.entry is not None:
                 self._enter(routine.name, routine.entry)
         while self._waiting:
-            yield from self._solve(self._waiting.pop())
+            # Who calls goes first: it has what it calls gone through as it comes by, in the order in which the program runs.
+            name = min(self._waiting, key=self._rank.__getitem__)
+            self._waiting.discard(name)
+            yield from self._solve(name)
         self._is_settled = True
         for _ in range(_BACK):
             changed = self._narrowed()
@@ -118,7 +114,7 @@ class Program:
         """Have routines start with what they are really called with, now that no guess of a loop is left; those that this changes."""
         found = {routine.name: routine.entry for routine in self.routines.values() if routine.entry is not None}
         for solved in self.solved.values():
-            unseen = [(name, dict[Key, Value]()) for name in self.routines] if None in solved.told.values() else ()
+            unseen = [(name, dict[Key, Value]()) for name in self.routines] if solved.is_blind else ()
             for name, env in (*solved.called.items(), *unseen):
                 own = {**env, **unset(self.routines[name].graph.locals, True)}
                 found[name] = join(found[name], own) if name in found else own
@@ -128,14 +124,14 @@ class Program:
 
     def _solve_again(self, name: str) -> Iterator[None]:
         """All that went in holds, so that what comes out does."""
-        solved = self.solved[name] = yield from _solved(self.routines[name], self._entries[name], self)
+        solved = self.solved[name] = yield from self._found(name, self._entries[name])
         old = self._summaries[name]
         self._summaries[name] = old._replace(env=_written(solved.solution.returned, old))
 
     def _solve(self, name: str) -> Iterator[None]:
         self._active.append(name)
         entry = self._entries[name]
-        solved = self.solved[name] = yield from _solved(self.routines[name], entry, self)
+        solved = self.solved[name] = yield from self._found(name, entry)
         self._active.pop()
         if entry is self._entries[name] and name in self._waiting and self.tells(solved):
             # What was found on the way was found in time.
@@ -145,23 +141,27 @@ class Program:
         self._leave(name, solved.solution)
         for callee, env in solved.called.items():
             self._called(callee, env)
-        if None in solved.told.values():
+        if solved.is_blind:
             for other in self.routines:
                 self._called(other, {})
 
     def tells(self, solved: Solved) -> bool:
         """Whether what a routine was told of others is still what is known of them."""
-        return all(self._summaries.get(label) == told for label, told in solved.told.items())
+        return all(self._summaries.get(label) == told for label, _, told in solved.asked)
 
-    def ahead(self, name: str, env: Env) -> None:
-        """Go through a routine where it is first called, so that its caller need not wait for it."""
-        if self._is_settled:
-            return
-        self._called(name, env)
-        if name in self._waiting and name not in self._active and len(self._active) < _DEEPEST:
-            self._waiting.remove(name)
-            for _ in self._solve(name):
-                pass
+    def _found(self, name: str, entry: Env) -> Generator[None, None, Solved]:
+        graph = self.routines[name].graph
+        return gone_through(graph, entry, self, self.forgotten(graph))
+
+    def answer(self, label: str, env: Env) -> Summary | None:
+        """What is known of a routine that is called for the first time: it is gone through at once, so that its caller need not wait for it."""
+        if not self._is_settled and label in self._summaries:
+            self._called(label, env)
+            if label in self._waiting and label not in self._active and len(self._active) < _DEEPEST:
+                self._waiting.discard(label)
+                for _ in self._solve(label):
+                    pass
+        return self.summary(label)
 
     def _called(self, name: str, env: Env) -> None:
         self._enter(name, {**env, **unset(self.routines[name].graph.locals, True)})
@@ -207,26 +207,14 @@ class Program:
                     self._queue(caller)
 
     def _merge(self, name: str, leaving: bool, old: Env, new: Env) -> Env:
+        found = join(old, new)
+        if found == old:
+            return old
         self._grown[name, leaving] += 1
-        return (widen if self._grown[name, leaving] > _PATIENCE else join)(old, new)
+        return widen(old, new) if self._grown[name, leaving] > _PATIENCE else found
 
     def _queue(self, name: str) -> None:
-        if name not in self._waiting:
-            self._waiting.append(name)
-
-    def _reached(self, name: str, written: bool) -> frozenset[Key] | None:
-        """What a routine and all that it calls read and set, or only set, of what is shared; None: who knows what."""
-        found: set[Key] = set()
-        seen, waiting = {name}, [name]
-        while waiting:
-            routine = self.routines.get(waiting.pop())
-            graph = routine.graph if routine is not None else None
-            if graph is None or graph.writes is None or (graph.reads is None and not written):
-                return None
-            found |= graph.writes if written else graph.writes | (graph.reads or frozenset())
-            waiting += graph.callees - seen
-            seen |= graph.callees
-        return frozenset(found)
+        self._waiting.add(name)
 
 
 def _written(env: Env | None, summary: Summary) -> Env | None:
@@ -234,10 +222,6 @@ def _written(env: Env | None, summary: Summary) -> Env | None:
     if env is None or summary.written is None:
         return env
     return {key: value for key, value in env.items() if key in summary.written}
-
-
-_OUTDATED = Summary({}, frozenset(), None)
-"""What nothing is ever known to be."""
 
 
 def _at(routine: Routine, file: str, row: int) -> list[int]:
@@ -248,59 +232,3 @@ def _at(routine: Routine, file: str, row: int) -> list[int]:
     else:
         lines = {at for at, each in enumerate(routine.files) if each == file and routine.rows[at] == row}
     return [number for number, node in routine.graph.nodes.items() if node.line in lines] if lines else []
-
-
-class _Ledger:
-    """What one routine asks of the others while it is gone through."""
-
-    def __init__(self, program: Program) -> None:
-        self._program = program
-        self.called: dict[str, Env] = {}
-        self.told: dict[str, Summary | None] = {}
-        self._asked: set[str] = set()
-
-    def again(self) -> None:
-        """Forget what calls were guessed to pass while the values of loops grew."""
-        self.called.clear()
-
-    def call(self, label: str, arguments: Env, shared: Env) -> Summary | None:
-        """What is known of a routine; what it is called with is noted."""
-        found = self._program.summary(label)
-        if found is not None:
-            touched = found.touched
-            env = {key: value for key, value in shared.items() if touched is None or key in touched}
-            mentions = self._program.routines[label].graph.mentions
-            env.update((key, value) for key, value in arguments.items() if mentions is None or key in mentions)
-            env = {} if self._program.is_general else env
-            known = self.called.get(label)
-            self.called[label] = env if known is None or known == env else join(known, env)
-            if label not in self._asked:
-                # What further calls pass is handed on when all are known: it is gone through once for all of them.
-                self._asked.add(label)
-                self._program.ahead(label, env)
-            found = self._program.summary(label)
-        if found != self.told.setdefault(label, found):
-            # It was told otherwise at another call: what it was told first no longer holds, so that it is gone through again.
-            self.told[label] = _OUTDATED
-        return found
-
-
-_kept: Kept[list[Solved]] = Kept()
-"""Values by what a routine says and starts with; of each as many as there were answers to its calls."""
-
-
-def _solved(routine: Routine, entry: Env, program: Program) -> Generator[None, None, Solved]:
-    """The values of a routine: those that are kept, if it was told the same of its calls before."""
-    forgotten = program.forgotten(routine.graph)
-    key = (routine.graph, frozenset(entry.items()), forgotten)
-    versions = _kept.get(key) or []
-    for solved in versions:
-        if program.tells(solved):
-            return solved
-    ledger = _Ledger(program)
-    found = Solved(Solution(routine.graph, entry, ledger, forgotten), ledger.called, ledger.told)
-    yield from found.solution.steps()
-    versions.insert(0, found)
-    del versions[_VERSIONS:]
-    _kept.add(key, versions, len(versions) * len(routine.graph.nodes))
-    return found

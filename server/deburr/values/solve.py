@@ -75,17 +75,19 @@ class Solution:
     def _follow(self, first: list[int], now: Callable[[int], Env | None]) -> Iterator[None]:
         waiting, queued = list(first), set(first)
         heapify(waiting)
+        nodes, before = self.graph.nodes, self.before
         done = 0
         while waiting:
             node = heappop(waiting)
             queued.discard(node)
-            if node not in self.graph.nodes:
+            here = nodes.get(node)
+            if here is None:
                 continue
             done += 1
-            if done % _PACE == 0 or self.graph.nodes[node].calls:
+            if done % _PACE == 0 or here.calls:
                 yield
-            env = now(node)
-            if env == self.before.get(node):
+            env, old = now(node), before.get(node)
+            if env is old or env == old:
                 continue
             for target in self._passed(node, env):
                 if target not in queued:
@@ -94,8 +96,8 @@ class Solution:
 
     def _grown(self, node: int) -> Env | None:
         """What comes to a node; where a loop comes round, with all that came before, so that it comes to rest."""
-        new, old = self._met(node), self.before.get(node)
-        if new is None or old is None or node not in self.graph.heads:
+        new = self._met(node)
+        if node not in self.graph.heads or new is None or (old := self.before.get(node)) is None:
             return new
         self._rounds[node] += 1
         return (widen if self._rounds[node] > _PATIENCE else join)(old, new)
@@ -117,33 +119,30 @@ class Solution:
         if outside is None or inside is None:
             return outside
         both = join(outside, inside)
-        return {
-            key: value
-            for key, old in outside.items()
-            if (value := both.get(key) if head.sets(key) else old) is not None
-        }
+        return outside if both is outside else _held(outside, both, head.sets)
 
     def _passed(self, node: int, env: Env | None) -> Iterable[int]:
         """Send values through a node; the nodes for which that changes something."""
-        old = self._targets.get(node, ())
+        flows: dict[int, Env] = {}
         if env is None:
             del self.before[node]
             self.proofs.pop(node, None)
             self.remarks.pop(node, None)
-            flows = {}
         else:
             self.before[node] = env
             flows = self._flows(node, env)
+        old = self._targets.get(node, ())
         self._targets[node] = tuple(flows)
-        for gone in old:
-            if gone not in flows:
-                del self._came[gone][node]
-                yield gone
+        changed = [gone for gone in old if gone not in flows]
+        for gone in changed:
+            del self._came[gone][node]
         for target, values in flows.items():
             came = self._came[target]
-            if came.get(node) != values:
+            known = came.get(node)
+            if known is not values and known != values:
                 came[node] = values
-                yield target
+                changed.append(target)
+        return changed
 
     def _flows(self, node: int, env: Env) -> dict[int, Env]:
         found: dict[int, Env] = {}
@@ -163,3 +162,15 @@ class Solution:
             self.remarks.pop(node, None)
         (self.doubtful.add if here.doubtful() else self.doubtful.discard)(node)
         return found
+
+
+def _held(outside: Env, both: Env, sets: Callable[[Key], bool]) -> Env:
+    """What holds in all rounds: of what a loop does not set, what holds before it."""
+    found = {}
+    for key, old in outside.items():
+        value = both.get(key)
+        if value is old or not sets(key):
+            found[key] = old
+        elif value is not None:
+            found[key] = value
+    return found

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.templates.items import declarations_of
+from deburr.values.kept import LINES, line_of
 from deburr_grammar.dialects.cgt.outline import section_name
 
 if TYPE_CHECKING:
@@ -86,11 +88,12 @@ def _of_piece(document: Document, piece: Piece) -> list[tuple[int, LineNode, Nam
     key = ("cgt lines that take part", document.key(piece))
     found: list[tuple[int, LineNode, Names]] | None = piece.chunk.memo.get(key)
     if found is None:
-        nodes = ((at, piece.node(at)) for at in _wanted(piece))
+        nodes = ((at, line_of(piece, at)) for at in _wanted(piece))
         found = piece.chunk.memo[key] = [(at, node, _names(node)) for at, node in nodes]
     return found
 
 
+@lru_cache(maxsize=LINES)
 def _names(node: LineNode) -> Names:
     if node.kinds.isdisjoint(_NAMING):
         return _NONE

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.includes import Folder, leaves
+from deburr.values.kept import line_of
 from deburr_grammar.dialects.metagcode.limits import DEEPEST, LARGEST
 from deburr_grammar.dialects.metagcode.outline import SNIPPET
 from deburr_grammar.document import Document
@@ -81,7 +82,7 @@ def _of_piece(document: Document, piece: Piece) -> list[tuple[int, LineNode, Bra
     found: list[tuple[int, LineNode, Bracket | None]] | None = piece.chunk.memo.get(key)
     if found is None:
         brackets = dict(piece.outlined.brackets)
-        found = piece.chunk.memo[key] = [(at, piece.node(at), brackets.get(at)) for at in _wanted(piece)]
+        found = piece.chunk.memo[key] = [(at, line_of(piece, at), brackets.get(at)) for at in _wanted(piece)]
     return found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import lru_cache
 
 from deburr.arithmetic import Refusal
 from deburr.values.domain import ANY, NOTHING, Value, exactly, joined
@@ -13,9 +14,12 @@ Two = Callable[[float, float], float]
 Lifted = Callable[..., Value]
 """An operation on values. It raises `Refusal` where the control refuses all that they hold."""
 
+_KEPT = 1_024
+
 
 def lifted(apply: Callable[..., float], on_ranges: Lifted, operands: int = 2) -> Lifted:
-    """An operation on values: of exact ones what the language says, of others what ``on_ranges`` says."""
+    """An operation on values: of exact ones what the language says, of others what ``on_ranges`` says, which is kept."""
+    on_ranges = lru_cache(maxsize=_KEPT)(on_ranges)
 
     def of_one(a: Value) -> Value:
         if a.low == a.high and not a.wild:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache, partial
 from typing import TYPE_CHECKING, NamedTuple
 
+from deburr.values.kept import line_of
 from deburr_grammar.dialects.rs274.outline import aborts, codes, computes_code
 from deburr_grammar.tree import Token
 
@@ -56,7 +57,7 @@ def taken(document: Document, remapped: Sequence[str] = ()) -> list[Taken] | Non
         if several > _MOST:
             return None
     for piece in document.holding((_KEY, foreign), marks, _LINES):
-        found += [line._replace(row=line.row + piece.line) for line in _of_piece(document, piece, foreign)]
+        found += [Taken(line.row + piece.line, *line[1:]) for line in _of_piece(document, piece, foreign)]
     return found
 
 
@@ -110,7 +111,9 @@ def _of_piece(document: Document, piece: Piece, foreign: re.Pattern[str] | None)
     key = ("rs274 lines that take part", document.key(piece), foreign)
     if key not in piece.chunk.memo:
         brackets = dict(piece.outlined.brackets)
-        piece.chunk.memo[key] = [_line(at, piece.node(at), brackets.get(at), foreign) for at in _wanted(piece, foreign)]
+        piece.chunk.memo[key] = [
+            _line(at, line_of(piece, at), brackets.get(at), foreign) for at in _wanted(piece, foreign)
+        ]
     found: list[Taken] = piece.chunk.memo[key]
     return found
 

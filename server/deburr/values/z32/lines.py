@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.arithmetic.z32 import constant
+from deburr.values.kept import line_of
 from deburr_grammar.dialects.z32.forms import NUMBERED, number, section_number
 from deburr_grammar.tree import Node, Token, walk
 
@@ -62,7 +63,7 @@ def taken(document: Document, tracked: frozenset[str], marks: Marks) -> list[Tak
     found: list[Taken] = []
     for piece in document.pieces():
         lines = _of_piece(document, piece, tracked, marks)
-        found += [line._replace(row=line.row + piece.line) for line in lines] if piece.line else lines
+        found += [Taken(line.row + piece.line, *line[1:]) for line in lines] if piece.line else lines
         if len(found) > _MOST:
             return None
     return found
@@ -85,7 +86,7 @@ def _of_piece(document: Document, piece: Piece, tracked: frozenset[str], marks: 
 
 
 def _taken(piece: Piece, at: int) -> Taken:
-    node = piece.node(at)
+    node = line_of(piece, at)
     match = NUMBERED.match(node.text) if "nword" in node.kinds else None
     label = number(match[2]) if match else None
     section = section_number(node.text) if "section" in node.kinds else None
@@ -112,7 +113,7 @@ def _marks(piece: Piece) -> frozenset[object]:
             found |= _said(shape, reading)
     if _VALUES in found:
         for at, _, _ in piece.where(lambda reading, shape: _is_read(reading) and "jump" in shape.facts(reading).kinds):
-            node = piece.node(at)
+            node = line_of(piece, at)
             for jump in node.find("jump"):
                 end = jump.node("range_end")
                 for part in (jump.children[1], *(end.children[1:] if end is not None else ())):
