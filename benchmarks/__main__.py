@@ -25,6 +25,7 @@ TABLES = {
     "Typing, beside tree-sitter's incremental parse": rows.typing,
     "In an editor, beside a stock server of pygls": rows.serving,
     "In VS Code": vscode.table,
+    "Proven values": rows.proving,
     "Memory": rows.memory,
     "Starting": rows.starting,
     "What no one writes": rows.odd,
@@ -43,6 +44,8 @@ machines give other times; the ratios stay. Nothing in the tests asserts a time:
   tree-sitter makes a tree and none of the rest. Not in the table: a line that changes the state in which all lines below
   are read (`o9 do`, `o<a> sub`, `M2`, `%`) has the chunks below summed anew, once for each such state: some 0.2 to 0.4 s
   in the large program. And all faults are listed each time, so a program with a million of them is slow to type in.
+- *Proven values* are those of generated programs of {values:,} lines and 40 routines (`benchmarks/macros.py`), in seconds of the processor,
+  from a program that is read to what its variables hold; then after another number in one of its lines.
 - *Memory* is by how much the resident set of a fresh process rises above where it stands with the text loaded
   (the kernel's high-water mark, reset before).
 - *In an editor* is measured over standard input and output, at random places and with a pause of {pause:g} ms between keystrokes, in
@@ -63,6 +66,7 @@ _QUICK = rows.Sizes(
     tree_sitter_places=2,
     passes=2_000,
     flat=2_000,
+    values=400,
     starts=3,
     stock_places=2,
     repeats=1,
@@ -118,6 +122,7 @@ def _head(sizes: rows.Sizes) -> str:
             places=sizes.places,
             pause=editor.PAUSE * 1_000,
             lines=vscode.LINES,
+            values=sizes.values,
         )
         + "\n"
         + "\n".join(_machine())

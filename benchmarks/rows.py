@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks import corpus, editor, ours, running, theirs
+from benchmarks import corpus, editor, ours, proofs, running, theirs
+from benchmarks.macros import LANGUAGES
 from benchmarks.measure import isolated, processes
 
 MB = 1_000_000
@@ -25,6 +26,7 @@ class Sizes:
     tree_sitter_places: int = 3
     passes: int = 1_000_000
     flat: int = 100_000
+    values: int = 2_000
     starts: int = 11
     stock_places: int = 5
     repeats: int = 3
@@ -237,6 +239,14 @@ def expanding(files: Files, sizes: Sizes) -> Iterator[Row]:
     yield Row(f"memory, {sizes.passes:,} flat lines to a file", _size(plain), "", "", "≤ 150 MB", plain <= budget)
     each = (mapped - plain) / sizes.passes
     yield Row("the same with a map", _size(mapped), "", f"{each:.0f} bytes a line", "≤ 40 bytes", each <= 40)
+
+
+def proving(_files: Files, sizes: Sizes) -> Iterator[Row]:
+    """What variables can hold, the first time and after an edit."""
+    for dialect in LANGUAGES:
+        first, edited = isolated(proofs.proven, dialect, sizes.values)
+        yield Row(f"{dialect}: values for the first time", _time(first), "", "", "≤ 150 ms", first <= 0.150)
+        yield Row(f"{dialect}: values after an edit in a line", _time(edited), "", "", "≤ 10 ms", edited <= 0.010)
 
 
 def odd(files: Files, sizes: Sizes) -> Iterator[Row]:

@@ -37,7 +37,7 @@ def test_the_macros_are_of_many_shapes() -> None:
     assert len(set(folded.split("\n"))) > 2_000
 
 
-@pytest.mark.parametrize("title", ["typing", "starting", "expanding", "editor"])
+@pytest.mark.parametrize("title", ["typing", "starting", "expanding", "editor", "proven values"])
 def test_report(title: str, tmp_path, capsys: pytest.CaptureFixture[str]) -> None:
     report = tmp_path / "performance.md"
     assert main([*QUICK, title, "--write", str(report)]) == 0
