@@ -10,6 +10,8 @@ from typing import BinaryIO
 
 MOST = 64 * 1024 * 1024
 """Bytes that are read from a device: some never end."""
+PART = ".deburr-part"
+"""The end of the names under which files are being written: they are nobody's, and no program."""
 
 
 def absolute(path: str, folder: str = "") -> str:

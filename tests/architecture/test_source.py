@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from deburr_grammar.dialects import NAMES
-from support.code import PACKAGES, ROOT, calls, conditions_on, imports, modules, named_after
+from support.code import PACKAGES, ROOT, calls, conditions_on, imports, modules, named_after, writes
 
 GRAMMAR, SERVER = PACKAGES
 MODULES = modules()
@@ -122,6 +122,57 @@ def test_the_core_opens_no_file_and_reads_no_clock(path: Path) -> None:
             if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "os"
         }
         assert used <= {"environ"}
+
+
+WRITING = {SERVER / "cli" / "replacing.py"}
+"""What writes files: each whole or not at all, which its test proves of every sort of file. What makes the package's own files is left out."""
+
+
+@pytest.mark.parametrize(
+    "path",
+    [path for path in MODULES if path not in WRITING | {GRAMMAR / "tables.py"} and SERVER / "dev" not in path.parents],
+    ids=name_of,
+)
+def test_files_are_written_in_one_place(path: Path) -> None:
+    assert list(writes(path.read_text(encoding="utf-8"))) == []
+
+
+@pytest.mark.parametrize(
+    "planted",
+    [
+        "open(path, 'w')",
+        "open(path, mode='ab')",
+        "open(path, mode)",
+        "Path(a).open('x')",
+        "Path(a).open(mode='r+')",
+        "path.write_text('a')",
+        "Path(a).write_bytes(b'a')",
+        "os.open(path, os.O_RDWR)",
+        "os.replace(a, b)",
+        "shutil.copyfile(a, b)",
+        "tempfile.NamedTemporaryFile()",
+        "NamedTemporaryFile('w')",
+        "with open(path, 'rb') as one, open(other, 'wb') as two: pass",
+    ],
+)
+def test_a_planted_write_is_found(planted: str) -> None:
+    assert list(writes(planted)) == [1]
+
+
+@pytest.mark.parametrize(
+    "plain",
+    [
+        "open(path)",
+        "open(path, 'rb')",
+        "Path(a).open()",
+        "os.open(os.devnull, os.O_WRONLY)",
+        "text.replace('a', 'b')",
+        "TemporaryFile()",
+        "out.write('a')",
+    ],
+)
+def test_what_writes_no_file_is_not(plain: str) -> None:
+    assert list(writes(plain)) == []
 
 
 def test_the_searches_find_what_they_look_for() -> None:

@@ -193,7 +193,7 @@ def test_a_link_is_not_followed_and_a_file_is_no_place(shell, monkeypatch):
 def test_what_is_old_is_taken_away(archive):
     place = archive.folder / ".deburr_cache"
     old, *rest = entries(archive)
-    half, young = place / "00" / "x.1.part", place / "00" / "y.2.part"
+    half, young = place / "00" / ".x.0.deburr-part", place / "00" / ".y.1.deburr-part"
     half.parent.mkdir(exist_ok=True)
     for path in (half, young):
         path.write_text("")

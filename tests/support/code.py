@@ -81,3 +81,42 @@ def imports(source: str) -> Iterator[tuple[int, str]]:
                 yield node.lineno, module
             case ast.ImportFrom():
                 yield node.lineno, "." * node.level + (node.module or "")
+
+
+_OF_PATHS = frozenset(("write_text", "write_bytes", "touch", "rename", "hardlink_to", "symlink_to"))
+_OF_MODULES = {
+    "os": frozenset(("replace", "rename", "renames", "link", "symlink", "truncate", "mkfifo", "mknod")),
+    "shutil": frozenset(("copy", "copy2", "copyfile", "copytree", "move", "make_archive", "unpack_archive")),
+    "tempfile": frozenset(("mkstemp", "NamedTemporaryFile", "SpooledTemporaryFile")),
+}
+
+
+def writes(source: str) -> Iterator[int]:
+    """The lines on which a file that has a name is opened to be written, written, or given its name."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call) and _writes(node):
+            yield node.lineno
+
+
+def _writes(call: ast.Call) -> bool:
+    match call.func:
+        case ast.Name("open"):
+            return _to_write(call, 1)
+        case ast.Attribute(ast.Name("os"), "open"):
+            # What is thrown away is written nowhere.
+            return ast.unparse(call.args[0]) != "os.devnull"
+        case ast.Attribute(_, "open"):
+            return _to_write(call, 0)
+        case ast.Attribute(ast.Name(module), name) if module in _OF_MODULES:
+            return name in _OF_MODULES[module]
+        case ast.Name(name):
+            return name in _OF_MODULES["tempfile"]
+        case ast.Attribute(_, name):
+            return name in _OF_PATHS
+    return False
+
+
+def _to_write(call: ast.Call, at: int) -> bool:
+    """Whether the mode is one to write, or is not known."""
+    modes = [call.args[at]] if len(call.args) > at else [each.value for each in call.keywords if each.arg == "mode"]
+    return any(not isinstance(mode, ast.Constant) or set(str(mode.value)) & set("wax+") for mode in modes)

@@ -195,6 +195,20 @@ BESIDE = (
         "1 checked",
     ),
     Hostile(
+        "pattern-of-nothing",
+        {"a.ngc": "M2\n", "b.ngc": "M2 (a (b)\n", ".gitignore": "[z-a]\n\\\nb*\n"},
+        checks("."),
+        0,
+        "1 checked",
+    ),
+    Hostile(
+        "configured-nothing",
+        {"a.ngc": "M2\n", "deburr.toml": '[files]\n"[z-a]" = "z32"\n'},
+        checks("."),
+        2,
+        "is no pattern of paths",
+    ),
+    Hostile(
         "values-deep", {**mgc("G0 X|a|"), "v.json": '{"a":' * 100_000}, (*_MGC, "--variables", "v.json"), 1, "no JSON"
     ),
     Hostile(

@@ -50,12 +50,9 @@ class Cache:
 
         body = dumps(entry, separators=(",", ":"))
         path = self._path(name)
-        part = f"{path}.{os.getpid()}.part"
         try:
             os.makedirs(paths.parent(path), exist_ok=True)  # noqa: PTH103
-            with open(part, "w", encoding="ascii", newline="\n") as file:  # noqa: PTH123
-                file.write(f"{digest(name, body)}\n{body}")
-            os.replace(part, path)  # noqa: PTH105
+            _write(path, f"{digest(name, body)}\n{body}")
         except OSError:
             return
 
@@ -76,8 +73,7 @@ def opened(folder: str) -> Cache | None:
         os.makedirs(place, exist_ok=True)  # noqa: PTH103
         for name, text in ((".gitignore", "*\n"), ("CACHEDIR.TAG", _TAG)):
             if not paths.exists(paths.join(place, name)):
-                with open(paths.join(place, name), "w", encoding="ascii") as file:  # noqa: PTH123
-                    file.write(text)
+                _write(paths.join(place, name), text)
         if not os.access(place, os.W_OK):
             return None
         _tidied(place)
@@ -91,11 +87,17 @@ def _tidied(place: str) -> None:
     stamp, now = paths.join(place, "tidied"), time()
     if paths.exists(stamp) and now - os.stat(stamp).st_mtime < _DAY:  # noqa: PTH116
         return
-    with open(stamp, "w", encoding="ascii"):  # noqa: PTH123
-        pass
+    _write(stamp, "")
     for folder in os.scandir(place):
         if len(folder.name) == 2 and folder.is_dir(follow_symlinks=False):
             for entry in os.scandir(folder):
                 age = now - entry.stat(follow_symlinks=False).st_mtime
-                if age > (_DAY if entry.name.endswith(".part") else _OLD):
+                if age > (_DAY if entry.name.endswith(paths.PART) else _OLD):
                     os.unlink(entry)  # noqa: PTH108
+
+
+def _write(path: str, text: str) -> None:
+    from deburr.cli.replacing import replacing
+
+    with replacing(path) as out:
+        out.write(text.encode("ascii"))

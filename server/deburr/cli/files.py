@@ -70,6 +70,8 @@ class _Walk:
                 yield Target(path, False)
 
     def _known(self, path: str) -> bool:
+        if path.endswith(paths.PART):
+            return False
         if paths.extension(path) in self._extensions:
             return True
         return self._configs.of(path).dialect_of(path) is not None

@@ -2,10 +2,10 @@
 
 import argparse
 from collections.abc import Iterator
-from pathlib import Path
 
 from deburr.cli.common import unable
 from deburr.cli.config import toml
+from deburr.cli.replacing import replacing
 from deburr.cli.surroundings import Surroundings, surroundings
 from deburr.configfile import FILE
 from deburr.schema import TOP, Free, tables
@@ -36,12 +36,10 @@ def parser() -> argparse.ArgumentParser:
 
 def run(_arguments: argparse.Namespace) -> int:
     """Write the file; one that is there already is left alone."""
-    if Path(FILE).exists():
-        return unable([f"{FILE} is there already; it is left as it is"])
     found = surroundings(".")
     try:
-        with Path(FILE).open("x", encoding="utf-8", newline="\n") as out:
-            out.write("\n".join(lines(found)) + "\n")
+        with replacing(FILE, new=True) as out:
+            out.write(("\n".join(lines(found)) + "\n").encode())
     except FileExistsError:
         return unable([f"{FILE} is there already; it is left as it is"])
     except OSError as error:

@@ -73,5 +73,7 @@ def programs_in(folder: str, configs: Configs) -> Iterator[str]:
         if entry.is_dir(follow_symlinks=False):
             if entry.name not in _SKIPPED:
                 yield from programs_in(path, configs)
+        elif path.endswith(paths.PART):
+            continue
         elif paths.extension(path) in extensions or configs.of(path).dialect_of(path) is not None:
             yield path

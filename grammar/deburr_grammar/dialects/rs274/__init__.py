@@ -7,6 +7,8 @@ from deburr_grammar.dialects.rs274.problems import WORDS, diagnose
 from deburr_grammar.shape import Folding
 
 _ACTIVE = r"(?i:[ \t]*(?:m[ \t]*s[ \t]*g|debug|print|log|logopen|logappend|logclose|probeopen|probeclose|abort|py|pyrun|pyreload)\b)"
+_NAME = r"[#Oo][ \t]*<(?:[^<>();\n]|\([^<>()\n]*\))*+;[^<>\n]*>"
+"""A name with a `;` in it, which starts no comment there."""
 
 DIALECT = Dialect(
     name="rs274",
@@ -18,7 +20,7 @@ DIALECT = Dialect(
         # The numbers of G and M codes decide what a line is; rules are kept with its shape.
         codes="GgMm",
         # What an active or unclosed comment says is kept: a `;` in it starts no other comment.
-        inert=rf"(\((?:(?={_ACTIVE})[^()\n]*\)?|[^()\n]*+(?!\))))|\((?<=(\())[^()\n]*(\))|;(?<=(;))[^\n]*",
+        inert=rf"({_NAME}|\((?:(?={_ACTIVE})[^()\n]*\)?|[^()\n]*+(?!\))))|\((?<=(\())[^()\n]*(\))|;(?<=(;))[^\n]*",
         signs="(;",
     ),
     outline=RS274Outline(),

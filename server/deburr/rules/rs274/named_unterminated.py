@@ -1,6 +1,6 @@
 """Name that is not closed.
 
-A name runs from `<` to `>` on one line. The control stops with "Named parameter not terminated".
+A name runs from `<` to `>` on one line. The control stops with "Named parameter not terminated". A `;` in a name starts no comment.
 
 Source: spec/rs274.md §4.2
 
@@ -14,6 +14,11 @@ Bad:
 Good:
 
     #<depth>=3
+
+Good:
+
+    #<a;b>=3
+    G0 X#<a;b>
 """
 
 import re
