@@ -14,6 +14,7 @@ from deburr.analysis import Analysis
 from deburr.ruleset import RuleSet
 from deburr.values import ledger, values_of
 from deburr.values.kept import Kept
+from deburr.values.metagcode import flow
 from deburr.values.program import Program
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
@@ -122,6 +123,7 @@ def _fresh() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         for name in KEPT:
             patch.setattr(name, Kept[Any]())
+        patch.setattr(flow, "_node", flow._node.__wrapped__)
         yield
 
 

@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from deburr.values import values_of
-from deburr.values.graph import Graph
+from deburr.values.graph import Calls, Env, Flows, Graph, Node
 from deburr.values.kept import Kept
+from deburr.values.metagcode import flow
 from deburr.values.solve import Solution
 from support.values import analysed
 
@@ -66,3 +67,31 @@ def test_a_routine_is_gone_through_once_for_all_further_calls(dialect: str, monk
     edit = _work(dialect, _text(dialect, 20), monkeypatch)
     assert sorted(edit) == TOUCHED[dialect]
     assert max(edit.values()) <= ROUNDS, edit
+
+
+def test_a_text_is_gone_through_again_where_it_is_edited(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a line far from the edit says, and the values that come there, are what they were."""
+    made: list[int] = []
+    asked: list[int] = []
+    new_node = flow._new_node
+
+    def counted(at: int, *more: Any) -> Node:
+        made.append(at)
+        node = new_node(at, *more)
+
+        def counted_flow(env: Env, calls: Calls) -> Flows:
+            asked.append(at)
+            return node.flow(env, calls)
+
+        return node._replace(flow=counted_flow)
+
+    lines = [f"#IF{at} |Depth| greaterthan {at} numeric\nG1 X-|Depth|\n#ENDIF{at}" for at in range(1, MANY)]
+    text = "\n".join(lines)
+    monkeypatch.setattr(flow, "_new_node", counted)
+    flow._node.cache_clear()
+    assert values_of(analysed(text, "metagcode")) is not None
+    assert len(made) == len(asked) == 3 * (MANY - 1)
+    made.clear()
+    asked.clear()
+    assert values_of(analysed(text.replace("greaterthan 1 ", "greaterthan 2 "), "metagcode")) is not None
+    assert (made, asked) == ([0], [0, 1, 2])

@@ -12,8 +12,8 @@ from typing import NamedTuple
 from deburr.values import operations as on
 from deburr.values.domain import NO, NOTHING, WILD, Value, above, below, exactly, may_be_zero, without_zero
 from deburr.values.graph import Env, Proof
-from deburr.values.metagcode.lines import Taken
 from deburr_grammar.dialects.metagcode.forms import name, number
+from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Token
 
@@ -42,9 +42,9 @@ class Item(NamedTuple):
         return self.literal if self.name is None else env.get(self.name, WILD)
 
 
-def item_of(line: Taken, token: Token) -> Item:
+def item_of(line: LineNode, token: Token) -> Item:
     """The item that a token is."""
-    said, span = line.node.text[token.start : token.end], Span(token.start, token.end)
+    said, span = line.text[token.start : token.end], Span(token.start, token.end)
     if token.kind == "VARIABLE":
         return Item(name(said), WILD, span, said)
     return Item(None, _literal(said), span, said)

@@ -7,16 +7,18 @@ known from its head.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.values.domain import NO, WILD, Value, may_be_zero, without_zero
 from deburr.values.graph import STOP, Calls, Env, Flows, Graph, Key, Node, Proof
-from deburr.values.kept import Kept
+from deburr.values.kept import LINES, Kept
 from deburr.values.metagcode.asking import asked, with_all_orders
 from deburr.values.metagcode.conditions import COMPARED, Item, as_number, is_negative, item_of
 from deburr.values.metagcode.lines import SIGNED, Taken, Unseen, taken
 from deburr.values.metagcode.orders import Order
 from deburr.values.program import Routine
+from deburr.values.remembering import remembering
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.metagcode.forms import condition, groups, is_numeric
 from deburr_grammar.dialects.metagcode.limits import NESTED, PASSES
@@ -24,6 +26,8 @@ from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
+    from deburr_grammar.dialect import Bracket
+    from deburr_grammar.line import LineNode
 
 _NAME = "text"
 _ROUNDED = 0.5
@@ -60,42 +64,43 @@ def _partners(lines: Sequence[Taken]) -> dict[int, int] | None:
         if line.bracket.role is Role.OPEN:
             opened.append(at)
             continue
-        other = lines[opened.pop()].bracket if opened else None
-        if other is None or (other.kind, other.label) != (line.bracket.kind, line.bracket.label):
+        start = opened.pop() if opened else at
+        other = lines[start].bracket
+        if other is None or start == at or (other.kind, other.label) != (line.bracket.kind, line.bracket.label):
             return None
-        start = next(at for at in reversed(range(at)) if at not in found and _opens(lines[at]))
         found[start], found[at] = at, start
     return None if opened else found
 
 
-def _opens(line: Taken) -> bool:
-    return line.bracket is not None and line.bracket.role is Role.OPEN
-
-
 def _graph(lines: Sequence[Taken], partners: dict[int, int], main: str) -> Graph:
-    nodes = {at: _node(at, line, partners, len(lines), line.file == main) for at, line in enumerate(lines)}
+    nodes = {}
+    for at, line in enumerate(lines):
+        behind, beyond = (to if to < len(lines) else STOP for to in (at + 1, partners.get(at, at) + 1))
+        nodes[at] = _node(at, line.node, line.bracket, behind, beyond, line.file == main)
     return Graph(with_all_orders(nodes), {}, (), frozenset(), None, frozenset(), frozenset(), frozenset())
 
 
-def _node(at: int, line: Taken, partners: dict[int, int], count: int, own: bool) -> Node:
-    behind = at + 1 if at + 1 < count else STOP
-    bracket = line.bracket
+@lru_cache(maxsize=2 * LINES)
+def _node(at: int, line: LineNode, bracket: Bracket | None, behind: int, beyond: int, own: bool) -> Node:
+    """The node of a line; after an edit elsewhere it is the same one. ``beyond``: behind the other end of its block."""
+    return remembering(_new_node(at, line, bracket, behind, beyond, own))
+
+
+def _new_node(at: int, line: LineNode, bracket: Bracket | None, behind: int, beyond: int, own: bool) -> Node:
     if bracket is None:
         return _words(at, line, behind)
     if bracket.role is Role.CLOSE:
-        return Node(at, _closed(partners[at], behind), condition=bracket.span)
-    other = partners[at] + 1
-    beyond = other if other < count else STOP
-    for part in line.node.find("condition"):
+        return Node(at, _closed(beyond - 1, behind), condition=bracket.span)
+    for part in line.find("condition"):
         said = condition(part)
         left, right = item_of(line, said.left), item_of(line, said.right)
-        word = line.node.text[said.operator.start : said.operator.end].lower()
+        word = line.text[said.operator.start : said.operator.end].lower()
         if word in COMPARED and said.type.kind == "TYPE":
-            numeric = is_numeric(line.node.text[said.type.start : said.type.end])
+            numeric = is_numeric(line.text[said.type.start : said.type.end])
             return asked(at, left, word, right, numeric, (behind, beyond), own)
-    for part in line.node.find("header"):
+    for part in line.find("header"):
         counters = [
-            Counter(item_of(line, group.counter), item_of(line, group.step), line.node.text[group.mode.start] in "rR")
+            Counter(item_of(line, group.counter), item_of(line, group.step), line.text[group.mode.start] in "rR")
             for group in groups(part)
             if (group.counter.kind, group.mode.kind) == ("VARIABLE", "MODE")
         ]
@@ -208,10 +213,10 @@ def _is_inside(key: Key, head: int, counted: set[str]) -> bool:
     return isinstance(key, Outside) and key.head == head
 
 
-def _words(at: int, line: Taken, behind: int) -> Node:
+def _words(at: int, line: LineNode, behind: int) -> Node:
     """A line of G-code: a value below 0 behind a sign makes two signs of it."""
-    text = line.node.text
-    comments = [(part.start, part.end) for part in line.node.find("comment")]
+    text = line.text
+    comments = [(part.start, part.end) for part in line.find("comment")]
     signed = [
         (match[2].strip(" \t"), Span(*match.span(1)))
         for match in SIGNED.finditer(text)
