@@ -13,6 +13,7 @@ from deburr.analysis import Analysis
 from deburr.modal import Modal
 from deburr.ruleset import RuleSet
 from deburr_grammar import line as line_module
+from deburr_grammar.chunk import SIZE
 from deburr_grammar.document import Document
 
 QUICK = ["--quick", "--only"]
@@ -90,7 +91,7 @@ def work_of(lines: int, stroke: ours.Keystroke, at: float) -> Work:
 def test_a_keystroke_reads_the_lines_it_touches_and_folds_through_one_chunk(stroke, at: float, lines: int) -> None:
     line_module._parse.cache_clear()
     work = work_of(lines, stroke, at)
-    longest = 2 * 16_384 // 8
+    longest = 2 * SIZE // 8
     assert work.folded <= 3 and work.parsed <= 3
     assert work.stepped <= longest
 

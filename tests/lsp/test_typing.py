@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from types import FrameType
 from typing import Any
 
@@ -13,10 +14,10 @@ from deburr.finding import Finding
 from deburr.lsp.report import _Report
 from deburr.ruleset import RuleSet
 from deburr.steps import let_go
-from deburr.symbols import Sort, Symbol
-from deburr.symbols.index import led_to
+from deburr.symbols import Mention, Sort, Symbol, index
+from deburr.symbols.index import at, led_to, mentions_of
 from deburr_grammar.dialects import by_name
-from deburr_grammar.document import Document
+from deburr_grammar.document import Document, Piece
 from deburr_grammar.text import Edit, Pos
 from support.inside import Inside
 from support.large import large
@@ -77,6 +78,24 @@ def test_only_the_names_of_the_part_that_was_edited_are_looked_up_again() -> Non
     edited = document.edit(Edit(Pos(middle, 0), Pos(middle, 0), "(x)"))
     assert led_to(edited, "k", where, Sort.SUB) == {"part7"}
     assert 0 < len(asked) <= edited.piece(middle).lines
+
+
+def test_a_local_name_is_looked_for_only_where_its_region_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = large("rs274", 400)
+    document, parsed = Document.parse(text, by_name("rs274")), list[int]()
+    plain = index._Index._mentions
+
+    def mentions(own: index._Index, piece: Piece) -> Iterator[tuple[int, Mention]]:
+        parsed.append(piece.chunk.eols)
+        return plain(own, piece)
+
+    monkeypatch.setattr(index._Index, "_mentions", mentions)
+    head = text.split("\n").index("o<part200> sub")
+    name = at(document, head + 1, 3)
+    assert name is not None
+    found = mentions_of(document, name.mention.symbol, name.region)
+    assert [each.line for each in found] == [head + 1, head + 2, head + 3]
+    assert 1 <= len(parsed) <= 2
 
 
 class _Thing:

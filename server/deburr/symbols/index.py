@@ -21,8 +21,8 @@ Region = tuple[str, str | None] | None
 """The region that a line is in: its kind and its label; None: in none."""
 
 
-_Local = tuple[Symbol | None, Region]
-"""A local symbol and its region; without a symbol, the region in which a piece ends."""
+_Local = tuple[Symbol, Region]
+"""A local symbol and its region."""
 _INHERITED: Region = ("", "")
 """The region that is open before a piece, whichever that is."""
 
@@ -175,18 +175,30 @@ class _Index:
         return of
 
     def within(self, symbol: Symbol, where: Region) -> Iterator[Piece]:
-        """The pieces that may name a local symbol in a region, in order."""
-        found = self._holding((symbol, where))
-        if where is None:
-            # Most of a program may be in no region, so what names the symbol is looked through, not the region.
-            more = self._holding((symbol, _INHERITED))
-        else:
-            more = (piece for left in self._holding((None, where)) for piece in self._behind(left, symbol))
+        """The pieces that may name a local symbol in a region, in order; what is in no piece of the region is not read for it."""
+        # Most of a program may be in no region, so what names the symbol is looked through, not the region.
+        found = self._unregioned(symbol) if where is None else self._regioned(symbol, where)
         last = -1
-        for piece in merge(found, more, key=attrgetter("line")):
+        for piece in found:
             if piece.line != last:
                 yield piece
             last = piece.line
+
+    def _unregioned(self, symbol: Symbol) -> Iterator[Piece]:
+        """The pieces that name a symbol on lines that may be in no region."""
+        return merge(*(self._holding((symbol, region)) for region in (None, _INHERITED)), key=attrgetter("line"))
+
+    def _regioned(self, symbol: Symbol, where: Region) -> Iterator[Piece]:
+        """The pieces that name a symbol and have lines of a region that one of them opens."""
+        key = ("opened", self._document.dialect.name)
+        for left in self._document.holding(key, self._opened, where):
+            if symbol in self.placed(left):
+                yield left
+            if _regions(self._document, left)[-1][1] == where:
+                yield from self._behind(left, symbol)
+
+    def _opened(self, piece: Piece) -> frozenset[Region]:
+        return frozenset(region for _, region in _regions(self._document, piece))
 
     def _behind(self, left: Piece, symbol: Symbol) -> Iterator[Piece]:
         """The pieces behind one that name a symbol in the region in which that one ends."""
@@ -204,13 +216,10 @@ class _Index:
         return self._document.holding(self._local, self._locals, item)
 
     def _locals(self, piece: Piece) -> frozenset[_Local]:
-        """The local symbols of a piece with their regions, and the region in which it ends if one of its lines opened that."""
+        """The local symbols of a piece with their regions."""
         regions = _regions(self._document, piece)
-        found: set[_Local] = {(None, regions[-1][1])} if regions else set()
-        for symbol, placed in self.placed(piece).items():
-            if symbol.local:
-                found |= {(symbol, _said(regions, at)) for at, _ in placed}
-        return frozenset(found)
+        named = ((symbol, at) for symbol, placed in self.placed(piece).items() if symbol.local for at, _ in placed)
+        return frozenset((symbol, _said(regions, at)) for symbol, at in named)
 
     def symbols(self, piece: Piece) -> frozenset[Symbol]:
         """What a piece names."""
