@@ -28,6 +28,11 @@ PARTS = {
 EDITS = {"z32": ("X<HB+HA>", "X<HB+HA*2>"), "rs274": ("LT 9]", "LT 8]")}
 """What is edited in one section. What it leaves is the same in Z32; in RS274 its caller goes on with something else, and calls the next one with that."""
 TOUCHED = {"z32": ["main.ngc:21"], "rs274": ["main program", "s21", "s22"]}
+LOOPS = {
+    "z32": "(P)\nHA0\nHB0\nN10 X<HA>\n!HA=HA+1; IF HA<9000; GON10!\nHB<HA>\nHC<HB>\nX<HC>\n",
+    "rs274": "#1=0\no1 while [#1 LT 9000]\n#1=[#1+1]\no1 endwhile\n#2=#1\n#3=#2\n#4=#3\n",
+}
+"""A loop that counts far, and three lines behind it."""
 ROUNDS = 2
 """A section is gone through where it is first called, and once more with all that is passed."""
 
@@ -67,6 +72,24 @@ def test_a_routine_is_gone_through_once_for_all_further_calls(dialect: str, monk
     edit = _work(dialect, _text(dialect, 20), monkeypatch)
     assert sorted(edit) == TOUCHED[dialect]
     assert max(edit.values()) <= ROUNDS, edit
+
+
+@pytest.mark.parametrize("dialect", LOOPS)
+def test_what_is_behind_a_loop_is_gone_through_once(dialect: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It waits for what the loop really leaves, after the resting places of its values are forgotten."""
+    asked: Counter[int] = Counter()
+    flows = Solution._flows
+
+    def counted(self: Solution, node: int, env: Env) -> dict[int, Env]:
+        asked[self.graph.nodes[node].line] += 1
+        return flows(self, node, env)
+
+    monkeypatch.setattr(Solution, "_flows", counted)
+    monkeypatch.setattr("deburr.values.ledger._kept", Kept[Any]())
+    text = LOOPS[dialect]
+    assert values_of(analysed(text, dialect)) is not None
+    last = max(asked)
+    assert asked[2] > 1 and [asked[line] for line in range(last - 2, last + 1)] == [1, 1, 1], asked
 
 
 def test_a_text_is_gone_through_again_where_it_is_edited(monkeypatch: pytest.MonkeyPatch) -> None:

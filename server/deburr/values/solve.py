@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
-from heapq import heapify, heappop, heappush
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from heapq import heappop, heappush
 
-from deburr.values.graph import RETURN, STOP, Calls, Env, Graph, Key, Proof, join, joined_all, widen
+from deburr.values.graph import RETURN, STOP, Calls, Env, Graph, Head, Key, Proof, join, joined_all, widen
 
 _PATIENCE = 2
 """Rounds in which a loop's values may grow as they like; after that they go to resting places."""
@@ -28,6 +28,8 @@ class Solution:
         self._came: dict[int, dict[int, Env]] = {node: {} for node in (*graph.nodes, RETURN, STOP)}
         self._targets: dict[int, tuple[int, ...]] = {}
         self._rounds: Counter[int] = Counter()
+        self._waiting: list[int] = []
+        self._queued: set[int] = set()
         self.before: dict[int, Env] = {}
         self.proofs: dict[int, Proof] = {}
         """What is certain to go wrong at a node that can be reached."""
@@ -35,13 +37,21 @@ class Solution:
         """What is certain there and does not stop the control."""
         self.doubtful: set[int] = set()
         """The nodes at which something may go wrong."""
-        self._came[min(graph.nodes, default=RETURN)][_ENTRY] = entry
+        first = min(graph.nodes, default=RETURN)
+        self._came[first][_ENTRY] = entry
+        self._queue(first)
 
     def steps(self) -> Iterator[None]:
-        """Find them, in work that can be left at each step."""
-        yield from self._follow([min(self.graph.nodes, default=RETURN)], self._grown)
-        self._rounds.clear()
-        yield from self._follow(list(self.graph.heads), self._settled)
+        """Find them, in work that can be left at each step. What is behind a loop is gone through with what the loop really leaves."""
+        end = max(self.graph.nodes, default=RETURN)
+        for heads, last in _outermost(self.graph.heads, end):
+            yield from self._follow(last, self._grown)
+            self._rounds.clear()
+            for head in heads:
+                self._queue(head)
+            yield from self._follow(last, self._settled)
+            self._rounds.clear()
+        yield from self._follow(end, self._grown)
         if self.graph.heads:
             self._calls.again()
             for node, env in list(self.before.items()):
@@ -72,27 +82,27 @@ class Solution:
         last = self.graph.heads[head].last
         return joined_all(env for source, env in self._came[head].items() if not head <= source <= last)
 
-    def _follow(self, first: list[int], now: Callable[[int], Env | None]) -> Iterator[None]:
-        waiting, queued = list(first), set(first)
-        heapify(waiting)
+    def _queue(self, node: int) -> None:
+        if node not in self._queued and node in self.graph.nodes:
+            self._queued.add(node)
+            heappush(self._waiting, node)
+
+    def _follow(self, last: int, now: Callable[[int], Env | None]) -> Iterator[None]:
+        """Go on with all that waits up to a node: the first one first, so that a loop comes to rest before what is behind it."""
+        waiting, queued = self._waiting, self._queued
         nodes, before = self.graph.nodes, self.before
         done = 0
-        while waiting:
+        while waiting and waiting[0] <= last:
             node = heappop(waiting)
             queued.discard(node)
-            here = nodes.get(node)
-            if here is None:
-                continue
             done += 1
-            if done % _PACE == 0 or here.calls:
+            if done % _PACE == 0 or nodes[node].calls:
                 yield
             env, old = now(node), before.get(node)
             if env is old or env == old:
                 continue
             for target in self._passed(node, env):
-                if target not in queued:
-                    queued.add(target)
-                    heappush(waiting, target)
+                self._queue(target)
 
     def _grown(self, node: int) -> Env | None:
         """What comes to a node; where a loop comes round, with all that came before, so that it comes to rest."""
@@ -162,6 +172,22 @@ class Solution:
             self.remarks.pop(node, None)
         (self.doubtful.add if here.doubtful() else self.doubtful.discard)(node)
         return found
+
+
+def _outermost(heads: Mapping[int, Head], end: int) -> list[tuple[list[int], int]]:
+    """The loops that stand in no other one, in order: the heads in each, and its last node. Loops that overlap count as one.
+
+    Of one into which ways lead from elsewhere the head does not tell where it ends: it is taken for all that follows.
+    """
+    found: list[tuple[list[int], int]] = []
+    for head in sorted(heads):
+        last = heads[head].last if heads[head].last >= head else end
+        if found and head <= found[-1][1]:
+            inside, before = found.pop()
+            found.append(([*inside, head], max(last, before)))
+        else:
+            found.append(([head], last))
+    return found
 
 
 def _held(outside: Env, both: Env, sets: Callable[[Key], bool]) -> Env:
