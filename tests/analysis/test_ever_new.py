@@ -13,7 +13,7 @@ import pytest
 from deburr import stateful
 from deburr.analysis import Analysis
 from deburr.ruleset import RuleSet
-from deburr.values import program, proving
+from deburr.values import ledger, proving
 from deburr.values.kept import Kept
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.document import Document
@@ -78,7 +78,7 @@ def test_what_is_kept_of_values_is_bounded_by_lines(dialect: str, monkeypatch: p
     values: Kept[Any] = Kept(BOUND)
     where = STORES[dialect]
     monkeypatch.setattr(f"deburr.values.{where}", (lambda words: graphs) if dialect == "cgt" else graphs)
-    monkeypatch.setattr(program, "_kept", values)
+    monkeypatch.setattr(ledger, "_kept", values)
     for number in range(TYPED):
         go_through(dialect, TEXTS[dialect].format(word(number), number))
         assert graphs.lines <= BOUND

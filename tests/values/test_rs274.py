@@ -1,15 +1,8 @@
 """RS274: what is proven at each line, that it holds in runs, and what an edit costs (spec/rs274.md §3, §4, §6)."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-
 import pytest
 
 from deburr.analysis import Analysis
-from deburr.expand import Budget, Inputs, Job, Program, drive
-from deburr.expand.rs274.compiling import Compiler
-from deburr.expand.rs274.state import State
-from deburr.expand.rs274.unit import Op, Unit
 from deburr.needs import Needs
 from deburr.ruleset import RuleSet
 from deburr.values import passes_at, proving, values_of
@@ -17,12 +10,10 @@ from deburr.values.domain import exactly
 from deburr.values.graph import Calls, Env, Graph, Key
 from deburr.values.solve import Solution
 from deburr.values.words import said
-from deburr_grammar.dialect import Role
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
 from support.pages import MemoryHost
-from support.programs import generated
-from support.values import MAIN, Known, analysed, known, known_generally
+from support.values import MAIN, analysed, known
 
 FRAME = "G21 G90 G17 F100\n"
 MEANT: dict[str, tuple[str, int, Key, str]] = {
@@ -191,97 +182,6 @@ def test_conditions_are_part_of_the_chain() -> None:
     ]
 
 
-@pytest.mark.parametrize("first", range(0, 1_500, 100))
-def test_runs_see_what_is_proven(first: int) -> None:
-    """Each value that the interpreter sees lies in the range of its line, and no line is passed of which a fault is proven."""
-    seen = sum(_watched(seed) for seed in range(first, first + 100))
-    assert seen > 1_000
-
-
-def _watched(seed: int) -> int:
-    program = generated(seed)
-    analysis = analysed(program.text, "rs274", program.files)
-    if known(analysis) is None:
-        return 0
-    watch = _Watch(analysis)
-    with watch.watching():
-        job = Job(
-            (Program(MAIN, analysis.document),),
-            analysis.ruleset,
-            analysis.host,
-            watch,
-            Inputs(simulate=True),
-            Budget(3_000, 0),
-        )
-        for _ in drive(job):
-            pass
-    assert watch.wrong == [], f"seed {seed}"
-    return watch.seen
-
-
-class _Watch:
-    """Looks at the parameters before each line that is executed."""
-
-    def __init__(self, analysis: Analysis) -> None:
-        self._analysis = analysis
-        self._subs = {row for row, bracket in analysis.document.brackets() if bracket.role is Role.REGION}
-        self._proven: dict[str, tuple[Known, Known]] = {}
-        self.wrong: list[tuple[object, ...]] = []
-        self.seen = 0
-
-    def line(self, text: str) -> None:
-        """Nobody wants the lines."""
-
-    def keep(self, count: int) -> None:
-        """Nor is one taken back."""
-
-    @contextmanager
-    def watching(self) -> Iterator[None]:
-        """Have each line looked at."""
-        compiled = Compiler.compiled
-
-        def compiling(compiler: Compiler, unit: Unit, row: int) -> Op:
-            op = compiled(compiler, unit, row)
-            found, general = self._of(unit.file)
-            # What only stops the run for a moment is no line, and is gone when it goes on.
-            is_paused = op.__name__ == "_paused"
-            if is_paused or row not in found.taking or (unit.file == MAIN and row in self._subs):
-                return op
-
-            def executed() -> int:
-                for each in (found, general):
-                    self._compare(row, compiler.state, each.before.get(row))
-                behind = op()
-                if row in found.stopping:
-                    self.wrong.append((row, "is passed"))
-                return behind
-
-            unit.code[row] = executed
-            return executed
-
-        with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(Compiler, "compiled", compiling)
-            yield
-
-    def _of(self, file: str) -> tuple[Known, Known]:
-        """What is proven of a file, and what whatever it is called with."""
-        if file not in self._proven:
-            found, general = known(self._analysis, file), known_generally(self._analysis, file)
-            assert found is not None and general is not None
-            self._proven[file] = found, general
-        return self._proven[file]
-
-    def _compare(self, row: int, state: State, env: Env | None) -> None:
-        if env is None:
-            self.wrong.append((row, "is reached"))
-        for key, value in (env or {}).items():
-            self.seen += 1
-            names = state.globals if str(key).startswith("_") else state.locals
-            got = state.params[key] if isinstance(key, int) else names.get(str(key))
-            if not (value.unset if got is None else value.has(got)):
-                self.wrong.append((row, key, value, got))
-
-
 SUBS = "".join(
     f"o<{name}> sub\n#{at}=#1\no1 while [#{at} LT 9]\n#{at}=[#{at}+1]\nG0 X#{at}\no1 endwhile\no<{name}> endsub\n"
     for at, name in enumerate("abcd", 101)
@@ -322,23 +222,6 @@ def test_lines_without_parameters_cost_nothing() -> None:
 def test_a_program_of_computed_moves_is_left_alone() -> None:
     moves = "G1 X[#3*2.5] Y[#3+1]\n" * 21_000
     assert known(analysed(f"{FRAME}#3=5\n{moves}G0 X[1/[#3-5]]\nM2\n", "rs274")) is None
-
-
-def test_a_wrong_range_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The proof that runs are looked at: with a subtraction that adds, many differ."""
-    from deburr.values import operations
-
-    monkeypatch.setattr(operations, "minus", operations.plus)
-    from deburr.values.rs274 import expressions
-
-    expressions.lifted_operation.cache_clear()
-    try:
-        with pytest.raises(AssertionError, match="seed"):
-            for seed in range(9_000, 9_100):
-                _watched(seed)
-    finally:
-        monkeypatch.undo()
-        expressions.lifted_operation.cache_clear()
 
 
 PASSES: dict[str, tuple[str, int, int | None]] = {

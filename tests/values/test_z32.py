@@ -2,206 +2,23 @@
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from functools import cache
-from random import Random
-
 import pytest
 
 from deburr.analysis import Analysis
-from deburr.expand import Budget, Inputs, Job, Program, drive
-from deburr.expand.z32.fields import Fields, Step
-from deburr.expand.z32.run import Run
-from deburr.expand.z32.state import State
-from deburr.expand.z32.unit import Op, Unit
 from deburr.finding import Finding, Severity
 from deburr.ruleset import RuleSet
 from deburr.values import proving, values_of
-from deburr.values.domain import Value, joined
 from deburr.values.graph import Calls, Env, Graph, Key
 from deburr.values.solve import Solution
 from deburr.values.words import said
-from deburr.values.z32.expressions import ALIAS, named
-from deburr.values.z32.fields import fields_of
 from deburr_grammar.document import Document
-from deburr_grammar.tree import Node
 from support.pages import MemoryHost
 from support.z32 import DIALECT, MAIN
-from support.z32programs import SETTINGS, Generated, generated, given
-
-Place = tuple[str, int, int]
-"""A file, a row, and which field of the line."""
-RUNS = 2
-
-
-def analysed(program: Generated, delete: bool | None = None) -> Analysis:
-    """A program as it is checked."""
-    ruleset = _ruleset(str(program.settings["cmos-dir"]))
-    inputs = Inputs(block_delete=delete)
-    return Analysis(Document.parse(program.text, DIALECT), ruleset, MAIN, MemoryHost(program.files), inputs=inputs)
-
-
-@cache
-def _ruleset(folder: str) -> RuleSet:
-    return RuleSet(DIALECT, {**SETTINGS, "cmos-dir": folder})
 
 
 def proofs(analysis: Analysis) -> list[Finding]:
     """What is proven to go wrong."""
     return [each for each in proving(analysis) if each is not None]
-
-
-class Known:
-    """What is proven of a program: the values before each field, the fields that cannot be passed, and the loops that never end."""
-
-    def __init__(self, analysis: Analysis) -> None:
-        program = values_of(analysis)
-        assert program is not None
-        self.before: dict[Place, dict[Key, Value]] = {}
-        stopping: dict[Place, bool] = {}
-        self.endless: set[Place] = set()
-        for name, solved in program.solved.items():
-            routine = program.routines[name]
-
-            def place(number: int, files=routine.files, rows=routine.rows, nodes=routine.graph.nodes) -> Place:  # type: ignore[no-untyped-def]
-                node = nodes[number]
-                return files[node.line] if files is not None else MAIN, rows[node.line], node.part
-
-            for number, env in solved.solution.before.items():
-                at, old = place(number), self.before.get(place(number))
-                self.before[at] = (
-                    env if old is None else {key: joined(old[key], env[key]) for key in old.keys() & env.keys()}
-                )
-                stopping[at] = stopping.get(at, True) and number in solved.solution.proofs
-        self.stopping = {at for at, stops in stopping.items() if stops}
-        self.taking = {
-            (file or MAIN, row)
-            for routine in program.routines.values()
-            for file, row in zip(routine.files or [""] * len(routine.rows), routine.rows)
-        }
-
-
-class Watch:
-    """Looks at the parameters before each field and block that is executed."""
-
-    def __init__(self, known: Known, findings: list[Finding]) -> None:
-        self._known = known
-        self._findings = {(each.place.file, each.place.line, each.place.col): each for each in findings}
-        self.wrong: list[tuple[object, ...]] = []
-        self.seen = 0
-        self.passed: set[tuple[str, int]] = set()
-        self.jumped: set[tuple[str, int]] = set()
-        """The lines of jumps with a return that were made."""
-
-    def line(self, text: str) -> None:
-        """Nobody wants the lines."""
-
-    @contextmanager
-    def watching(self) -> Iterator[None]:
-        """Have each of them looked at."""
-        compiled, step = Run._compiled, Fields.step
-
-        def compiling(run: Run, unit: Unit, row: int) -> Op:
-            op, kinds = compiled(run, unit, row), unit.document.node(row).kinds
-            self.passed.add((unit.file, row))
-            if (unit.file, row) not in self._known.taking or "advanced" in kinds:
-                return op
-            executed: Op = self._around((unit.file, row, 0), run._state, op)
-            if unit.code[row] is not None:
-                unit.code[row] = executed
-            return executed
-
-        def stepping(fields: Fields, field) -> Step:  # type: ignore[no-untyped-def]
-            node = fields._state.program.unit.document.node(fields._row)
-            parts = [each.start for group in fields_of(node) for each in group]
-            place = (fields._values._file, fields._row, parts.index(field.start))
-            op = self._judged(place, field, step(fields, field))
-            return self._around(place, fields._state, op) if place[:2] in self._known.taking else op
-
-        with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(Run, "_compiled", compiling)
-            patch.setattr(Fields, "step", stepping)
-            yield
-
-    def _judged(self, place: Place, field: Node, op: Step) -> Step:
-        """A field that may be a condition which decides nothing, or a jump with a return."""
-        found = self._findings.get((*place[:2], field.children[1].start)) if field.kind == "if" else None
-
-        def executed() -> int | None:
-            behind = op()
-            if found is not None and (behind is None) != ("always" in found.message):
-                self.wrong.append((place, found.message))
-            if field.kind == "jump" and field.node("range_end") is not None:
-                self.jumped.add(place[:2])
-            return behind
-
-        return executed
-
-    def open(self, job: Job) -> list[object]:
-        """The jumps that are proven never to return, but of which a run that has come to its end says nothing."""
-        met = {(fault.kind, fault.file, fault.line) for fault in job.faults}
-        proven = [each.place[:2] for each in self._findings.values() if each.rule == "z32.range-open-at-end"]
-        return [place for place in proven if place in self.jumped and ("range-open-at-end", *place) not in met]
-
-    def _around(self, place: Place, state: State, op: Callable[[], int | None]) -> Callable[[], int | None]:
-        def executed() -> int | None:
-            self._look(place, state)
-            behind = op()
-            if place in self._known.stopping:
-                self.wrong.append((place, "is passed"))
-            return behind
-
-        return executed
-
-    def _look(self, place: Place, state: State) -> None:
-        env = self._known.before.get(place)
-        if env is None:
-            self.wrong.append((place, "is reached"))
-        for key, value in (env or {}).items():
-            if isinstance(key, str):
-                self.seen += 1
-                got = _held(state, key)
-                if got is None or not value.has(got):
-                    self.wrong.append((place, key, value, got))
-
-
-def _held(state: State, key: str) -> float | None:
-    if key == ALIAS:
-        return named(state.alias).low if state.alias else None
-    if "[" in key:
-        return (state.pal if key[2] == "L" else state.par)[int(key[4:-1])]
-    return state.params.get(key)
-
-
-def watched(seed: int) -> int:
-    """Run the program of a seed with some inputs beside its values; how many values were looked at."""
-    program, rng = generated(seed), Random(seed)
-    delete = rng.choice((None, False, True))
-    analysis = analysed(program, delete)
-    if values_of(analysis) is None:
-        return 0
-    known = Known(analysis)
-    findings = proofs(analysis)
-    watch = Watch(known, findings)
-    endless = {finding.place.line for finding in findings if finding.rule == "z32.limit"}
-    with watch.watching():
-        for _ in range(RUNS):
-            watch.passed.clear()
-            watch.jumped.clear()
-            inputs = Inputs(given(rng), block_delete=rng.choice((False, True)) if delete is None else delete)
-            job = Job(
-                (Program(MAIN, analysis.document),), analysis.ruleset, analysis.host, watch, inputs, Budget(400, 0)
-            )
-            for _ in drive(job):
-                pass
-            assert watch.wrong == [], f"seed {seed} with {inputs.define}, {inputs.block_delete}: {watch.wrong[:3]}"
-            looping = [row for row in endless if (MAIN, row) in watch.passed]
-            if not job.cut and all(fault.kind == "range-open-at-end" for fault in job.faults):
-                assert looping == [], f"seed {seed}: the loop of line {looping} ended"
-                assert watch.open(job) == [], f"seed {seed}: {watch.open(job)} came back"
-    return watch.seen
 
 
 MEANT: dict[str, tuple[str, int, Key, str]] = {
@@ -304,31 +121,6 @@ def test_a_fault_in_a_called_file_is_found_from_the_program_that_calls_it() -> N
     (found,) = proofs(Analysis(Document.parse("HA0\n!:L254-A1!\nM30\n", DIALECT), ruleset, MAIN, host))
     assert (found.place.file, found.place.line, found.place.col) == ("files/A1.z32", 0, 5)
     assert [(each.place.file, each.place.line) for each in found.related] == [(MAIN, 1), (MAIN, 0)]
-
-
-@pytest.fixture(scope="module")
-def _tables_at_rest() -> Iterator[None]:
-    """What was made before, such as the tables of the parser, need not be looked through for garbage again and again."""
-    gc.freeze()
-    yield
-    gc.unfreeze()
-
-
-@pytest.mark.usefixtures("_tables_at_rest")
-@pytest.mark.parametrize("first", range(0, 1_000, 100))
-def test_runs_see_what_is_proven(first: int) -> None:
-    """Each value that the interpreter sees lies in the range of its place, and nothing is passed of which a fault is proven."""
-    assert sum(watched(seed) for seed in range(first, first + 100)) > 1_000
-
-
-def test_a_wrong_range_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The proof that runs are looked at: with a false IF that goes on as if it were true, many differ."""
-    from deburr.values.z32 import conditions
-
-    monkeypatch.setitem(conditions._OPPOSITE, "<", "<")
-    with pytest.raises(AssertionError, match="seed"):
-        for seed in range(90_000, 90_200):
-            watched(seed)
 
 
 SECTIONS = "".join(
