@@ -105,22 +105,32 @@ class Compiler:
     def write(self, unit: Unit, row: int, line: Line, pieces: list[Piece]) -> Callable[[list[float]], None]:
         """What writes a line with the values of its words, and moves the machine."""
         emit, state, watch = self._run.out.emit, self.state, self.watch
-        comment, sets = line.comment, bool(line.settings)
         maybe = line.deleted and self._run.job.inputs.block_delete is None
-        minus_zero, letters = self._minus_zero, [word.letter for word in line.words]
-        decimals = self._decimals if GEOMETRY.isdisjoint(letters) else self.coordinates
-        rounded = [at for at in pieces if isinstance(at, int) and at >= 0 and letters[at] in AXES]
-        chained, chains = watch and bool(rounded) and decimals < EXACT, state.machine.chains
+        letters, texts = [word.letter for word in line.words], self.texts(line, pieces)
 
         def put_down(values: list[float]) -> None:
-            said = chains.rounded(letters, values, rounded) if chained and state.contour is None else values
-            text = text_of(pieces, said, comment, decimals, minus_zero)
+            (text,) = texts(values)
             if watch:
                 state.machine.block(letters, values, maybe)
             if text.strip():
-                emit(text.rstrip(" \t") if sets else text, unit, row, state.frame)
+                emit(text, unit, row, state.frame)
 
         return put_down
+
+    def texts(self, line: Line, *forms: list[Piece]) -> Callable[[list[float]], list[str]]:
+        """What writes forms of one line with the values of its words; the first has all words that say where it leads."""
+        state, comment, sets = self.state, line.comment, bool(line.settings)
+        minus_zero, letters = self._minus_zero, [word.letter for word in line.words]
+        decimals = self._decimals if GEOMETRY.isdisjoint(letters) else self.coordinates
+        rounded = [at for at in forms[0] if isinstance(at, int) and at >= 0 and letters[at] in AXES]
+        chained, chains = self.watch and bool(rounded) and decimals < EXACT, state.machine.chains
+
+        def written_down(values: list[float]) -> list[str]:
+            said = chains.rounded(letters, values, rounded) if chained and state.contour is None else values
+            texts = [text_of(pieces, said, comment, decimals, minus_zero) for pieces in forms]
+            return [text.rstrip(" \t") for text in texts] if sets else texts
+
+        return written_down
 
     def undecided(self, unit: Unit, row: int, node: LineNode) -> Halt:
         """The end of a run that hangs on the operator's switch."""
@@ -196,8 +206,6 @@ class Compiler:
             raise self.undecided(unit, row, node)
         if "M98" in codes:
             return self.flow.calls.numbered_call(unit, row, line)
-        if not codes.isdisjoint(SAVES):
-            return saving(self._run, self, unit, row, line, codes & SAVES)
         if not codes.isdisjoint(CONTOURED) and any(word.letter == "Q" for word in line.words):
             return self.flow.calls.contour(unit, row, line)
         pieces = line.pieces()
@@ -206,7 +214,11 @@ class Compiler:
         if delete is None:
             pieces.insert(0, "/")
         ends = not codes.isdisjoint(("M2", "M30", "M99")) and delete is False
-        executed = self.written(unit, row, line, pieces, END if ends else row + 1)
+        behind = END if ends else row + 1
+        if codes.isdisjoint(SAVES):
+            executed = self.written(unit, row, line, pieces, behind)
+        else:
+            executed = saving(self._run, self, unit, row, line, behind)
         if ends:
             executed = self._framed(executed)
         return self.flow.calls.numbered_end(unit, row, line, executed) if "M99" in codes else executed
@@ -216,7 +228,7 @@ class Compiler:
 
         def ended() -> int:
             behind = end()
-            for sign in self._run.main.signs[1:] if self.percent else ():
+            for sign in self._run.main.signs[1:] if self.percent and behind == END else ():
                 self._run.job.emit(self._run.main.document.line(sign), self._run.main.file, sign, None)
             return behind
 

@@ -57,6 +57,8 @@ class _Lines:
         self.places: list[_Place] = []
         self.unwritten: set[int] = set()
         """Which of them stand for what a written line does: they are heeded, and not judged."""
+        self.asked: set[int] = set()
+        """Which of them are only judged: others say what they do."""
 
     def __len__(self) -> int:
         return len(self.texts)
@@ -82,7 +84,7 @@ class _Lines:
     def take(self, other: _Lines, count: int) -> None:
         """Add the first lines of others, as long as they are not too many."""
         count = max(min(count, _MOST - len(self)), 0)
-        self.texts += other.texts[:count]
+        self.texts += ("" if at in other.asked else text for at, text in enumerate(other.texts[:count]))
         self.rows += other.rows[:count]
         self.numbers += other.numbers[:count]
         self.places += other.places[:count]
@@ -121,6 +123,11 @@ class Judge:
             self._waiting.unwritten.add(len(self._waiting))
             self.add(text, unit, row, frame)
 
+    def ask(self, text: str, unit: Unit, row: int, frame: Frame | None) -> None:
+        """A line to be judged that is not in the flat program as it stands: what comes next says what it does."""
+        self._waiting.asked.add(len(self._waiting))
+        self._waiting.append(text, row, (unit, frame), self._job.emitted)
+
     def copied(
         self, texts: Sequence[str], shapes: Sequence[Shape], unit: Unit, rows: Sequence[int], frame: Frame | None
     ) -> None:
@@ -143,7 +150,7 @@ class Judge:
                     self._first.take(waiting, at)
                     self._follow()
                     raise
-            if step.after is not state:
+            if step.after is not state and at not in waiting.asked:
                 state = step.after
                 steps = self._under(state)
         self._state = state

@@ -40,6 +40,11 @@ class Output:
         else:
             self._judge.heed(does, unit, row, frame)
 
+    def ask(self, text: str, unit: Unit, row: int, frame: Frame | None) -> None:
+        """Have a line judged that the next ones stand for."""
+        if self._judge is not None and self._state.contour is None and text.strip():
+            self._judge.ask(text, unit, row, frame)
+
     def copy(self, part: Stretch, unit: Unit) -> None:
         """Lines as they stand in their program."""
         texts, rows, shapes = part.bare()

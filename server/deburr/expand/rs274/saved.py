@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from copy import copy
+from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.expand.rs274.state import Saved
 from deburr_grammar.text import Span
@@ -12,53 +13,128 @@ if TYPE_CHECKING:
     from deburr.expand.rs274.compiling import Compiler
     from deburr.expand.rs274.lines import Line
     from deburr.expand.rs274.run import Run
+    from deburr.expand.rs274.state import State
     from deburr.expand.rs274.unit import Op, Unit
 
 SAVES = frozenset(("M70", "M71", "M72", "M73"))
 _WORD = re.compile(r"([A-Z])([0-9.]+)")
+_BEFORE = {
+    "G93": "", "G94": "", "G95": "", "G96": "D", "G97": "", "M6": "", "M61": "Q", "M62": "P", "M63": "P", "M64": "P",
+    "M65": "P", "M66": "PLQER", "M67": "EQ", "M68": "EQ",
+}  # fmt: skip
+"""Codes that act before modes are saved or brought back, with the letters that they take (spec/rs274.md §4.3)."""
+_SETTING = "FST"
+"""Letters that do so by themselves."""
 
 
-def saving(run: Run, compiler: Compiler, unit: Unit, row: int, line: Line, codes: frozenset[str]) -> Op:
-    """A line with one of these codes: the rest of the line first, then what the code does to the saved modes."""
-    rest, state, emit = compiler.written(unit, row, line, line.pieces(SAVES), row + 1), run.state, run.out.emit
-    said = next((word.part for word in line.words if word.code == "M72"), line.node.tree)
-    span = Span(max(line.node.text.upper().rfind("M", 0, said.start), 0), said.end)
+class Beside(NamedTuple):
+    """A line with `M72` in it: all of it, without the code, and only what acts before it."""
+
+    whole: str = "M72"
+    rest: str = ""
+    first: str = ""
+
+
+_ALONE = Beside()
+
+
+def saving(run: Run, compiler: Compiler, unit: Unit, row: int, line: Line, behind: int) -> Op:
+    """A line with one of these codes: some of its words act before it, the others behind it."""
+    at = next(at for at, word in enumerate(line.words) if word.code in SAVES)
+    code, late = line.words[at].code, _late(line)
+    if code == "M72":
+        return _restoring(run, compiler, unit, row, line, behind)
+    state, read = run.state, compiler.read(line)
+    texts = compiler.texts(line, line.pieces(SAVES) if code == "M71" else line.pieces(computed="M"))
 
     def executed() -> int:
-        rest()
-        saved = state.saved
-        if not codes.isdisjoint(("M70", "M73")):
-            state.saved = state.slot = Saved(state.machine.modes.copy())
-            state.returns |= "M73" in codes
-            emit("M70", unit, row, state.frame, ())
-        elif "M71" in codes:
+        values = read()
+        # The flat program has no ends of calls at which modes come back by themselves.
+        (text,) = texts([*values[:at], 70.0, *values[at + 1 :]])
+        _act(state, line, values, late, False)
+        if code == "M71":
             state.saved = None
-        elif saved is None:
-            message = "`M72` brings modes back that no `M70` or `M73` has saved at this level of calls"
-            raise state.fault("restore-unsaved", unit.file, row, span, message)
         else:
-            restore(run, unit, row, saved)
-        return row + 1
+            state.saved = state.slot = Saved(state.machine.modes.copy())
+            state.returns |= code == "M73"
+        _act(state, line, values, late, True)
+        if text.strip():
+            run.out.emit(text, unit, row, state.frame)
+        return behind
 
     return executed
 
 
-def restore(run: Run, unit: Unit, row: int, saved: Saved) -> None:
-    """Bring saved modes back. The flat program has one place for them: where it holds others by now, words say what changes."""
-    state = run.state
+def _restoring(run: Run, compiler: Compiler, unit: Unit, row: int, line: Line, behind: int) -> Op:
+    """`M72`. As soon as a mode comes back the control forgets the words of the line that would act behind it."""
+    state, late, read = run.state, _late(line), compiler.read(line)
+    said = next(word.part for word in line.words if word.code == "M72")
+    span = Span(max(line.node.text.upper().rfind("M", 0, said.start), 0), said.end)
+    texts = compiler.texts(line, line.pieces(), line.pieces(SAVES), _without(line, late).pieces(SAVES))
+
+    def executed() -> int:
+        values = read()
+        if state.saved is None:
+            message = "`M72` brings modes back that no `M70` or `M73` has saved at this level of calls"
+            raise state.fault("restore-unsaved", unit.file, row, span, message)
+        whole, rest, first = texts(values)
+        run.out.ask(rest, unit, row, state.frame)
+        _act(state, line, values, late, False)
+        if restore(run, unit, row, state.saved, Beside(whole, rest, first)):
+            if state.machine.modes.lost and late:
+                state.machine.forget()
+            return row + 1
+        _act(state, line, values, late, True)
+        return behind
+
+    return executed
+
+
+def _late(line: Line) -> frozenset[int]:
+    """The numbers of the words that act behind the code."""
+    codes = line.codes()
+    before = {*_SETTING, *(letter for code in codes for letter in _BEFORE.get(code, ""))}
+    return frozenset(
+        at
+        for at, word in enumerate(line.words)
+        if word.letter not in before and word.code not in SAVES and word.code not in _BEFORE
+    )
+
+
+def _without(line: Line, left_out: frozenset[int]) -> Line:
+    """The same line with words marked to be left out with the code."""
+    found = copy(line)
+    found.words = [word._replace(code="M72") if at in left_out else word for at, word in enumerate(line.words)]
+    return found
+
+
+def _act(state: State, line: Line, values: list[float], late: frozenset[int], behind: bool) -> None:
+    """Let the words act that do so before the code, or behind it."""
+    found = [at for at, word in enumerate(line.words) if (at in late) == behind and word.code not in SAVES]
+    state.machine.block([line.words[at].letter for at in found], [values[at] for at in found], False)
+
+
+def restore(run: Run, unit: Unit, row: int, saved: Saved, beside: Beside = _ALONE) -> bool:
+    """Bring saved modes back, and write the line; whether any differs.
+
+    The flat program has one place for them: where it holds others by now, words say what changes.
+    """
+    state, emit = run.state, run.out.emit
     if state.slot is not saved and (saved.modes.lost or state.machine.modes.lost):
         message = "which modes come back here hangs on a code of the machine's own, of which the program tells nothing"
         raise state.fault("runtime-value", unit.file, row, Span(0, 0), message)
     if saved.modes.lost:
-        run.out.emit("M72", unit, row, state.frame)
+        emit(beside.whole, unit, row, state.frame)
         state.machine.forget()
-        return
+        return True
     lines = state.machine.modes.restoring(saved.modes)
+    before = beside.first if lines else beside.rest
     if state.slot is saved:
-        run.out.emit("M72", unit, row, state.frame, lines)
+        emit(beside.whole, unit, row, state.frame, [before, *lines])
     else:
-        for text in lines:
-            run.out.emit(text, unit, row, state.frame)
+        for text in [before, *lines] if before.strip() else lines:
+            emit(text, unit, row, state.frame)
     for text in lines:
         words = _WORD.findall(text)
         state.machine.block([letter for letter, _ in words], [float(number) for _, number in words], False)
+    return bool(lines)
