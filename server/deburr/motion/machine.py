@@ -33,6 +33,7 @@ _KNOWN_M = frozenset((*range(3), *range(3, 10), 19, 30, 48, 49, *range(50, 54), 
 _LETTERS = frozenset((*AXES, *"@^GMNFSTIJKRPQLHDEO"))
 _CONTOURS = frozenset((700, 710, 711, 712, 720, 721, 722))
 """Cycles along a contour, in passes that only the control knows."""
+_SAVES = frozenset((700, 720, 730))
 _UNITS = {700: MM_PER_INCH, 710: 1.0}
 """Inches and millimetres in ISO 6983."""
 _STOPS = {0: 0.0, 10: 1.0, 600: 60.0}
@@ -140,10 +141,8 @@ class Machine:
         modes.take(codes, words)
         gs = {code for letter, code in codes if letter == "G"}
         ms = {code for letter, code in codes if letter == "M"}
-        if ms & {700, 730}:
-            self._saved = before
-        for line in modes.restoring(self._saved) if 720 in ms and self._saved is not None else ():
-            self._any(line, flat)
+        if ms & _SAVES:
+            self._save(before.early(codes, words), ms, flat)
         if not self._form.contours and gs & _UNITS.keys() and words.keys().isdisjoint("PQ"):
             self._unsaid(gs & _UNITS.keys(), flat)
             gs -= _UNITS.keys()
@@ -151,7 +150,7 @@ class Machine:
         if self._form.simulate and modes.unit != before.unit:
             mover.switch(modes.unit / before.unit)
         if "F" in words or modes.g["feed"] != before.g["feed"]:
-            mover.feed = modes.feed * (1.0 if modes.g["feed"] == 930 else modes.unit)
+            mover.feed = words.get("F", modes.feed) if modes.g["feed"] == 930 else modes.feed * modes.unit
         self._switched(before, words, ms, flat)
         if 40 in gs and "P" in words:
             self._recorder.event(flat, Happening.DWELL, words["P"])
@@ -174,6 +173,14 @@ class Machine:
         for code in ms & _ENDS.keys():
             self._recorder.event(flat, Happening.END, _ENDS[code])
             self.ended = True
+
+    def _save(self, held: Modes, ms: set[int], flat: int) -> None:
+        """Keep modes, or bring them back; a flat program has no words beside `M72` that the control would forget."""
+        if 720 not in ms:
+            self._saved = held
+        elif self._saved is not None:
+            for line in held.restoring(self._saved):
+                self._any(line, flat)
 
     def _unsaid(self, gs: set[int], flat: int) -> None:
         """Codes that may set a unit. If it is the one that holds, they change nothing; if not, no length is certain behind them."""

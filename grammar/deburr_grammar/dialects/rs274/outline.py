@@ -1,7 +1,7 @@
 """Where an RS274 program ends and how its O-words hang together (spec/rs274.md §1.1, §6)."""
 
 import re
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator, Set
 from typing import NamedTuple
 
 from deburr_grammar.codes import code_number
@@ -111,9 +111,14 @@ def _ended(line: LineNode, state: State) -> State:
     if "DELETE" in line.kinds:
         return state
     found = {code for code, _ in codes(line)}
-    if found & {"M2", "M30"}:
+    if ends(found):
         return state._replace(ended=True, numbered=False)
     return state._replace(numbered=False) if "M99" in found else state
+
+
+def ends(found: Set[str]) -> bool:
+    """Whether a line with these codes certainly ends the program. Where `M72` brings a mode back, the control forgets the end beside it."""
+    return not found.isdisjoint(("M2", "M30")) and "M72" not in found
 
 
 def _behind(state: State, bracket: Bracket) -> State:

@@ -98,7 +98,8 @@ class Machine:
         getter = GETTERS.get(name)
         if getter is not None:
             modes = self.modes
-            return lambda spot: self._known(getter(modes), f"#<{name}>", "a code of the machine's own", spot)
+            what = "a move in inverse time or " if name == "_feed" else ""
+            return lambda spot: self._known(getter(modes), f"#<{name}>", f"{what}a code of the machine's own", spot)
         axis = AXES.find(name[1:].upper()) if len(name) == 2 and name[0] == "_" else -1
         if axis >= 0:
             return lambda spot: self._known(self._position.axis(axis), f"#<{name}>", "the position", spot)
@@ -132,7 +133,8 @@ class Machine:
         self.chains.clear(words)
         if motion is not None:
             self.modes.g["motion"] = motion
-        self.modes.feed = words.get("F", self.modes.feed)
+        if "F" in words:
+            self.modes.feed = words["F"] if self.modes.g["feed"] != 930 else math.nan
         self.modes.speed = words.get("S", self.modes.speed)
         self._position.moved(words)
 

@@ -29,6 +29,14 @@ STRAIGHT = frozenset((0, 10, 20, 30))
 MM_PER_INCH = 25.4
 UNKNOWN = -1
 """In place of a code: only the machine knows which is in force."""
+EARLY = {
+    ("G", 930): "", ("G", 940): "", ("G", 950): "", ("G", 960): "D", ("G", 970): "", ("M", 60): "", ("M", 610): "Q",
+    ("M", 620): "P", ("M", 630): "P", ("M", 640): "P", ("M", 650): "P", ("M", 660): "PLQER", ("M", 670): "EQ",
+    ("M", 680): "EQ",
+}  # fmt: skip
+"""Codes that act before M70 to M73 beside them, with the letters that they take (spec/rs274.md §5)."""
+SETTING = "FST"
+"""Letters that do so by themselves."""
 _RESTORED = ("length", "plane", "system", "path", "lathe", "distance", "arc", "retract", "spindle", "compensation")
 """Groups whose code M72 says again where it differs."""
 
@@ -44,6 +52,7 @@ class Modes:
         self.lost = False
         """Whether what M codes switched is not known."""
         self.feed = 0.0
+        """No number: only the control knows."""
         self.speed = 0.0
         self.tolerance = (0.0, 0.0)
         """P and Q of G64."""
@@ -86,10 +95,19 @@ class Modes:
             self.tolerance = (words.get("P", 0.0), words.get("Q", 0.0))
         if ("G", 940) in codes or ("G", 950) in codes:
             self.feed = 0.0
-        self.feed = words.get("F", self.feed)
+        if self.g["feed"] != 930:
+            # In inverse time the word says how long the move beside it takes.
+            self.feed = words.get("F", self.feed)
         self.speed = words.get("S", self.speed)
         if ("M", 20) in codes or ("M", 300) in codes:
             self._ended()
+
+    def early(self, codes: Set[tuple[str, int]], words: dict[str, float]) -> Modes:
+        """What holds when M70 to M73 act in a block."""
+        letters = {*SETTING, *(letter for code in codes for letter in EARLY.get(code, ""))}
+        found = self.copy()
+        found.take(codes & EARLY.keys(), {letter: value for letter, value in words.items() if letter in letters})
+        return found
 
     def trace(self, codes: Set[tuple[str, int]]) -> None:
         """A line of a contour: of all modes only the motion is heeded."""
@@ -101,7 +119,7 @@ class Modes:
         words = []
         if self.g["feed"] != saved.g["feed"]:
             words.append(_code(saved.g["feed"]))
-        if self.feed != saved.feed:
+        if self.feed != saved.feed and not math.isnan(saved.feed):
             words.append(f"F{saved.feed:.1f}")
         if self.speed != saved.speed:
             words.append(f"S{saved.speed:.0f}")
@@ -122,8 +140,9 @@ class Modes:
             lines += [code for on, code in ((saved.mist, "M7"), (saved.flood, "M8")) if on] or ["M9"]
         if self.feed_override != saved.feed_override:
             lines.append("M48" if saved.feed_override else "M49")
-        if self.adaptive != saved.adaptive:
-            lines.append("M52" if saved.adaptive else "M52 P0")
+        if saved.adaptive and not self.adaptive:
+            # The control does not switch it off again.
+            lines.append("M52")
         if self.feed_hold != saved.feed_hold:
             lines.append("M53" if saved.feed_hold else "M53 P0")
         return lines

@@ -239,6 +239,10 @@ class Position:
     def _move(self, motion: int, in_machine: bool, words: dict[str, float]) -> None:
         if motion == 800:
             return
+        modes = self._machine.modes
+        if motion != 0 and modes.g["feed"] == 930:
+            # The control makes a feed of the length of the move.
+            modes.feed = math.nan
         target = self._targets(words, in_machine)
         if motion in _PROBES:
             # The stand-alone interpreter's machine starts from where it thinks that it is.

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import re
 from copy import copy
 from typing import TYPE_CHECKING, NamedTuple
 
+from deburr.expand.rs274.modes import EARLY, SETTING
 from deburr.expand.rs274.state import Saved
 from deburr_grammar.text import Span
 
@@ -17,20 +19,16 @@ if TYPE_CHECKING:
     from deburr.expand.rs274.unit import Op, Unit
 
 SAVES = frozenset(("M70", "M71", "M72", "M73"))
+_FORGOTTEN = frozenset(("late",))
 _WORD = re.compile(r"([A-Z])([0-9.]+)")
-_BEFORE = {
-    "G93": "", "G94": "", "G95": "", "G96": "D", "G97": "", "M6": "", "M61": "Q", "M62": "P", "M63": "P", "M64": "P",
-    "M65": "P", "M66": "PLQER", "M67": "EQ", "M68": "EQ",
-}  # fmt: skip
-"""Codes that act before modes are saved or brought back, with the letters that they take (spec/rs274.md §4.3)."""
-_SETTING = "FST"
-"""Letters that do so by themselves."""
+_BEFORE = {f"{letter}{tenths // 10}": taken for (letter, tenths), taken in EARLY.items()}
 
 
 class Beside(NamedTuple):
-    """A line with `M72` in it: all of it, without the code, and only what acts before it."""
+    """A line with `M72` in it: all of it, only what acts before the code, with it, and both without it."""
 
     whole: str = "M72"
+    kept: str = "M72"
     rest: str = ""
     first: str = ""
 
@@ -45,12 +43,12 @@ def saving(run: Run, compiler: Compiler, unit: Unit, row: int, line: Line, behin
     if code == "M72":
         return _restoring(run, compiler, unit, row, line, behind)
     state, read = run.state, compiler.read(line)
-    texts = compiler.texts(line, line.pieces(SAVES) if code == "M71" else line.pieces(computed="M"))
+    texts = compiler.texts(line, line.pieces(computed="M"), line.pieces(SAVES))
 
     def executed() -> int:
         values = read()
         # The flat program has no ends of calls at which modes come back by themselves.
-        (text,) = texts([*values[:at], 70.0, *values[at + 1 :]])
+        text, rest = texts([*values[:at], 70.0, *values[at + 1 :]])
         _act(state, line, values, late, False)
         if code == "M71":
             state.saved = None
@@ -58,8 +56,11 @@ def saving(run: Run, compiler: Compiler, unit: Unit, row: int, line: Line, behin
             state.saved = state.slot = Saved(state.machine.modes.copy())
             state.returns |= code == "M73"
         _act(state, line, values, late, True)
-        if text.strip():
-            run.out.emit(text, unit, row, state.frame)
+        run.out.ask(rest, unit, row, state.frame)
+        if code != "M71":
+            run.out.emit(text, unit, row, state.frame, [rest] if rest.strip() else [])
+        elif rest.strip():
+            run.out.emit(rest, unit, row, state.frame, [rest])
         return behind
 
     return executed
@@ -70,19 +71,23 @@ def _restoring(run: Run, compiler: Compiler, unit: Unit, row: int, line: Line, b
     state, late, read = run.state, _late(line), compiler.read(line)
     said = next(word.part for word in line.words if word.code == "M72")
     span = Span(max(line.node.text.upper().rfind("M", 0, said.start), 0), said.end)
-    texts = compiler.texts(line, line.pieces(), line.pieces(SAVES), _without(line, late).pieces(SAVES))
+    early = _without(line, late)
+    forms = (line.pieces(), early.pieces(_FORGOTTEN), line.pieces(SAVES), early.pieces(_FORGOTTEN | SAVES))
+    texts = compiler.texts(line, *forms)
 
     def executed() -> int:
         values = read()
         if state.saved is None:
             message = "`M72` brings modes back that no `M70` or `M73` has saved at this level of calls"
             raise state.fault("restore-unsaved", unit.file, row, span, message)
-        whole, rest, first = texts(values)
-        run.out.ask(rest, unit, row, state.frame)
+        beside = Beside(*texts(values))
+        run.out.ask(beside.rest, unit, row, state.frame)
         _act(state, line, values, late, False)
-        if restore(run, unit, row, state.saved, Beside(whole, rest, first)):
-            if state.machine.modes.lost and late:
-                state.machine.forget()
+        saved = state.saved.modes
+        if restore(run, unit, row, state.saved, beside):
+            return row + 1
+        if late and math.isnan(saved.feed):
+            state.machine.forget()
             return row + 1
         _act(state, line, values, late, True)
         return behind
@@ -93,7 +98,7 @@ def _restoring(run: Run, compiler: Compiler, unit: Unit, row: int, line: Line, b
 def _late(line: Line) -> frozenset[int]:
     """The numbers of the words that act behind the code."""
     codes = line.codes()
-    before = {*_SETTING, *(letter for code in codes for letter in _BEFORE.get(code, ""))}
+    before = {*SETTING, *(letter for code in codes for letter in _BEFORE.get(code, ""))}
     return frozenset(
         at
         for at, word in enumerate(line.words)
@@ -102,9 +107,9 @@ def _late(line: Line) -> frozenset[int]:
 
 
 def _without(line: Line, left_out: frozenset[int]) -> Line:
-    """The same line with words marked to be left out with the code."""
+    """The same line with words marked to be left out."""
     found = copy(line)
-    found.words = [word._replace(code="M72") if at in left_out else word for at, word in enumerate(line.words)]
+    found.words = [word._replace(code="late") if at in left_out else word for at, word in enumerate(line.words)]
     return found
 
 
@@ -120,8 +125,8 @@ def restore(run: Run, unit: Unit, row: int, saved: Saved, beside: Beside = _ALON
     The flat program has one place for them: where it holds others by now, words say what changes.
     """
     state, emit = run.state, run.out.emit
-    if state.slot is not saved and (saved.modes.lost or state.machine.modes.lost):
-        message = "which modes come back here hangs on a code of the machine's own, of which the program tells nothing"
+    if state.slot is not saved and (saved.modes.lost or state.machine.modes.lost or math.isnan(saved.modes.feed)):
+        message = "which modes come back here hangs on a code of the machine's own or on a move in inverse time, of which the program tells nothing"
         raise state.fault("runtime-value", unit.file, row, Span(0, 0), message)
     if saved.modes.lost:
         emit(beside.whole, unit, row, state.frame)
@@ -130,11 +135,13 @@ def restore(run: Run, unit: Unit, row: int, saved: Saved, beside: Beside = _ALON
     lines = state.machine.modes.restoring(saved.modes)
     before = beside.first if lines else beside.rest
     if state.slot is saved:
-        emit(beside.whole, unit, row, state.frame, [before, *lines])
+        emit(beside.kept.rstrip(" \t") if lines else beside.whole, unit, row, state.frame, [before, *lines])
     else:
         for text in [before, *lines] if before.strip() else lines:
             emit(text, unit, row, state.frame)
     for text in lines:
         words = _WORD.findall(text)
         state.machine.block([letter for letter, _ in words], [float(number) for _, number in words], False)
+    if math.isnan(saved.modes.feed):
+        state.machine.modes.feed = math.nan
     return bool(lines)

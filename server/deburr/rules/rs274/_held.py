@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from deburr.rule import Line
 from deburr.rules.rs274._values import NEAR, index, name
 from deburr_grammar.dialect import Reading
-from deburr_grammar.dialects.rs274.outline import codes, label_of
+from deburr_grammar.dialects.rs274.outline import codes, ends, label_of
 from deburr_grammar.document import Document, Piece
 from deburr_grammar.line import LineNode, Shape
 from deburr_grammar.text import Span
@@ -134,7 +134,7 @@ def _take(found: Held, at: int, line: Line) -> None:
     found.calls.extend(_calls(at, line))
     if "PERCENT" in node.kinds and not node.problems:
         found.percents.append(at)
-    if node.shape.needs_depth and "DELETE" not in node.kinds and {code for code, _ in codes(node)} & {"M2", "M30"}:
+    if node.shape.needs_depth and "DELETE" not in node.kinds and ends({code for code, _ in codes(node)}):
         found.ends.append(at)
     found.bare.extend((at, _label(node, label)) for label in _bare(node))
 

@@ -3,6 +3,9 @@
 `M72` brings back what `M70` or `M73` has saved at the same call level. Without one before it the control
 stops with "Cannot restore context from invalid stack frame - missing M70/M73?".
 
+Other words are best written on lines of their own: where `M72` brings a mode back, the control forgets the moves, G codes and even
+the `M2` beside it. Only F, S, T, G93 to G97, M6 and M61 to M68 act before.
+
 Source: spec/rs274.md §5
 
 Bad:

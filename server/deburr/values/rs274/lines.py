@@ -8,7 +8,7 @@ from functools import lru_cache, partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.values.kept import line_of
-from deburr_grammar.dialects.rs274.outline import aborts, codes, computes_code
+from deburr_grammar.dialects.rs274.outline import aborts, codes, computes_code, ends
 from deburr_grammar.tree import Token
 
 if TYPE_CHECKING:
@@ -129,7 +129,7 @@ def _line(at: int, node: LineNode, bracket: Bracket | None, foreign: re.Pattern[
     if not node.shape.needs_depth and _MAY_LEAVE.search(node.shape.text) is None:
         return Taken(at, node, bracket)
     found = {code for code, _ in codes(node)}
-    return Taken(at, node, bracket, not found.isdisjoint(("M2", "M30")), "M99" in found, _entered(node, found))
+    return Taken(at, node, bracket, ends(found), "M99" in found, _entered(node, found))
 
 
 def _entered(node: LineNode, found: set[str]) -> str:
