@@ -3,6 +3,7 @@
 import pytest
 
 from support.flat import Case, verdict
+from support.motion import difference as moved_otherwise
 
 pytestmark = pytest.mark.oracle
 _STATE = (
@@ -37,7 +38,10 @@ def called(change: str, words: str) -> str:
 
 
 def holds(program: str) -> None:
-    assert verdict(Case("words beside", program)) == "", program
+    case = Case("words beside", program)
+    assert verdict(case) == "", program
+    if case.original.status == 0:
+        assert moved_otherwise(case) == "", program
 
 
 @pytest.mark.parametrize("change", _CHANGES)
