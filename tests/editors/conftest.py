@@ -41,9 +41,9 @@ def vsix(extension: Path) -> Path:
     return made
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def window() -> Iterator[Browser]:
-    """A browser without a screen."""
+    """A browser without a screen, for the tests of one file: what drives it keeps an event loop running, in which no other test could run its own."""
     from support.vscode import browser
 
     with browser() as found:
@@ -59,7 +59,7 @@ def trusted(vsix: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[st
         yield address
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def room(window: Browser, trusted: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Room]:
     """A window for all tests that need none of their own."""
     from support.room import Room
