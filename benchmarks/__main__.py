@@ -45,7 +45,9 @@ machines give other times; the ratios stay. Nothing in the tests asserts a time:
   are read (`o9 do`, `o<a> sub`, `M2`, `%`) has the chunks below summed anew, once for each such state: some 0.2 to 0.4 s
   in the large program. And all faults are listed each time, so a program with a million of them is slow to type in.
 - *Proven values* are those of generated programs of {values:,} lines and 40 routines (`benchmarks/macros.py`), in seconds of the processor,
-  from a program that is read to what its variables hold; then after another number in one of its lines.
+  from a program that is read to what its variables hold; then after another number in one of its lines. The garbage collector is set as in
+  the server. What they cost someone who types is measured in the large CAM program, beside the same server with the proofs turned off
+  (`benchmarks/unproven.py`).
 - *Memory* is by how much the resident set of a fresh process rises above where it stands with the text loaded
   (the kernel's high-water mark, reset before).
 - *In an editor* is measured over standard input and output, at random places and with a pause of {pause:g} ms between keystrokes, in

@@ -24,6 +24,20 @@ _SHARE = 60
 """It is quiet for so many times as long as the last look took."""
 
 
+def begin() -> None:
+    """Set aside what a process has loaded, and look for garbage as seldom as a server does."""
+    gc.freeze()
+    gc.set_threshold(*_YOUNG)
+    gc.enable()
+
+
+def set_aside() -> None:
+    """What is known now stays known for a while."""
+    # What was made since the last check is all that is looked through, unless it is very much.
+    gc.collect(1 if gc.get_count()[1] < _FEW else 0)
+    gc.freeze()
+
+
 class Garbage:
     """Sets aside what is known, and looks through it in quiet times."""
 
@@ -32,9 +46,7 @@ class Garbage:
         self._timer: TimerHandle | None = None
         self._last = monotonic()
         self._taken = 0.0
-        gc.freeze()
-        gc.set_threshold(*_YOUNG)
-        gc.enable()
+        begin()
 
     def heard(self) -> None:
         """A message has come."""
@@ -42,9 +54,7 @@ class Garbage:
 
     def checked(self) -> None:
         """A program was gone through: what is known now stays known for a while."""
-        # What was made since the last check is all that is looked through, unless it is very much.
-        gc.collect(1 if gc.get_count()[1] < _FEW else 0)
-        gc.freeze()
+        set_aside()
         if self._timer is None:
             self._timer = self._loop.call_later(self._pause, self._look)
 
