@@ -111,6 +111,12 @@ CERTAIN = {
         "F100\nG0 Z5\n" + "G4 P1\n" * 30 + "G38.2 Z5\nM2\n",
         ["probe-in-place"],
     ),
+    "X is a diameter": ("G7 G18 F100\nG0 X20 Z0\nG2 X10 Z-3 I2 K-1\nM2\n", ["arc-radius"]),
+    "X is a diameter, and I is none": ("G7 G18 F100\nG0 X20 Z0\nG2 X10 Z-5 I-5 K0\nM2\n", []),
+    "X is no diameter any more": ("G7 G18 F100\nG0 X20 Z0\nG8\nG2 X10 Z-3 I2 K-1\nM2\n", ["arc-radius"]),
+    "a diameter through chunks": ("G7 G18 F100\nG0 X20\n" + "G4 P1\n" * 40 + "G2 X10 Z-5 I-10\nM2\n", ["arc-radius"]),
+    "a level is no diameter": ("G7 G19 F100 G99\nG0 X20 Z0\nG81 X-10 Y0 R6\nG80 G17\nG2 X8 I-1\nM2\n", []),
+    "a branch makes X a diameter": ("#1=1\nG18 F100\no1 if [#1]\nG7\no1 endif\nG0 X20 Z0\nG2 X10 Z-5 I-10\nM2\n", []),
     "zero is zero in all units": ("F100\nG0 X0 Y0\nG21\nG2 X9 R1\nM2\n", ["arc-radius"]),
     "a feed rate of zero": ("F0\nG0 X1\nG1 X2\nX3\nM2\n", ["feed-zero"]),
 }

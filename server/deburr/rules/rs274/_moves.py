@@ -25,12 +25,16 @@ MM_PER_INCH = 25.4
 
 
 class Modes(NamedTuple):
-    """What is in force when a move is made; None: only the run knows it."""
+    """What is in force when a move is made; None: only the run knows it.
+
+    ``share``: the part of a word X that is a coordinate: half of it where X is a diameter (G7).
+    """
 
     plane: str | None
     distance: str | None
     centre: str | None
     units: str | None
+    share: float
 
 
 class Way(Enum):
@@ -46,22 +50,24 @@ class Change(NamedTuple):
 
     ``factor``: what other units make of each coordinate before the line moves; None: nobody knows.
     ``axes``: what becomes of coordinates, and by which word; all others stay.
+    ``share``: the part of a word X that is a coordinate.
     """
 
     factor: float | None
     axes: Mapping[str, tuple[Way, str]]
+    share: float = 1.0
 
 
 STAYS = Change(1.0, {})
 LOST = Change(1.0, {axis: (Way.LOST, axis) for axis in LINEAR})
 _HARMLESS_CODES = (
-    "G4 G17 G18 G19 G17.1 G18.1 G19.1 G28.1 G30.1 G61 G61.1 G64 G80 G90 G91 G90.1 G91.1 G93"
+    "G4 G7 G8 G17 G18 G19 G17.1 G18.1 G19.1 G28.1 G30.1 G61 G61.1 G64 G80 G90 G91 G90.1 G91.1 G93"
     " G94 G95 G96 G97 G98 G99 M0 M1 M3 M4 M5 M7 M8 M9 M19 M48 M49 M50 M51 M52 M53 M60 M62 M63 M64 M65 M66"
     " M67 M68"
 )
 _MOVES = ARCS | {"G0", "G1"}
 _HARMLESS = frozenset(_HARMLESS_CODES.split()) | _MOVES | CYCLES | PROBES
-_LASTING = {"G40": "cutter-compensation", "G49": "tool-length", "G54": "coordinate-system", "G8": "lathe-diameter"}
+_LASTING = {"G40": "cutter-compensation", "G49": "tool-length", "G54": "coordinate-system"}
 """Codes that change nothing where they are in force, or where nothing else has been."""
 _LENGTHS = frozenset(("G43", "G43.2", "G49"))
 """Codes that bring offsets of the tool table into force, or take them away."""
@@ -95,14 +101,17 @@ def change_of(line: Line, state: State, steady: Set[str]) -> Change:
         return LOST
     codes = {code for code in found.codes if code} - _HARMLESS
     codes -= {code for code in codes if _is_in_force(state, code)}
-    if codes - _UNITS - _LENGTHS - _OWN_AXES or _in_g7(state):
+    if codes - _UNITS - _LENGTHS - _OWN_AXES:
         return LOST
     axes = _axes(line, found, state)
+    share = _share(found, state)
+    if share is None and "X" in axes:
+        axes["X"] = (Way.LOST, "X")
     for axis in LINEAR if codes & _LENGTHS else "":
         # The offset comes before the move.
         if axis not in steady and axes.get(axis, (Way.BY,))[0] is not Way.TO:
             axes[axis] = (Way.LOST, axis)
-    return Change(_factor(found, state), axes)
+    return Change(_factor(found, state), axes, share or 1.0)
 
 
 def _is_in_force(state: State, code: str) -> bool:
@@ -205,19 +214,22 @@ def probe_modes(line: Line, state: State) -> Modes | None:
 
 def _modes(line: Line, state: State, motions: Set[str], letters: str) -> Modes | None:
     found = words(line)
-    if motion(found, state) not in motions or not _is_literal(line, letters) or _in_g7(state):
+    share = _share(found, state) if "X" in found.has else 1.0
+    if motion(found, state) not in motions or not _is_literal(line, letters) or share is None:
         return None
     said = [letter for letter in found.letters if letter not in "GM"]
-    if len(said) != len(set(said)) or not found.has.isdisjoint(("@", "^", "G7")):
+    if len(said) != len(set(said)) or not found.has.isdisjoint("@^"):
         return None
     if governs(found, state, "cutter-compensation") != "G40":
         return None
     plane, distance, centre = (governs(found, state, group) for group in ("plane", "distance", "arc-distance"))
-    return Modes(plane, distance, centre, found.of("units") or state.code("units"))
+    return Modes(plane, distance, centre, found.of("units") or state.code("units"), share)
 
 
-def _in_g7(state: State) -> bool:
-    return not (state.untouched("lathe-diameter") or state.code("lathe-diameter") == "G8")
+def _share(found: Words, state: State) -> float | None:
+    """The part of a word X that is a coordinate. The code acts before the words beside it."""
+    code = governs(found, state, "lathe-diameter")
+    return None if code is None else 0.5 if code == "G7" else 1.0
 
 
 def _is_literal(line: Line, letters: str) -> bool:

@@ -27,7 +27,7 @@ HOME: Point = (0.0, 0.0, 0.0)
 
 
 class Move(NamedTuple):
-    """A move: what is in force, where it starts, and its words."""
+    """A move: what is in force, where it starts, and its words; X is a coordinate, and no diameter."""
 
     modes: Modes
     start: Point
@@ -221,7 +221,10 @@ class _Path:
         if change.factor != 1:
             self._place = _scaled(self._reckoned(), change.factor)
         if modes is not None:
-            self._look_at(_Open(index, modes, self._reckoned(), self._numbers(index, simple)))
+            numbers = self._numbers(index, simple)
+            if modes.share != 1 and "X" in numbers:
+                numbers = {**numbers, "X": numbers["X"] * modes.share}
+            self._look_at(_Open(index, modes, self._reckoned(), numbers))
         if change.axes:
             self._moves.append((index, change, simple))
 
@@ -250,6 +253,8 @@ class _Path:
                 if axis in found:
                     continue
                 number = None if way is Way.LOST else self._numbers(index, simple).get(letter)
+                if number is not None and letter == "X":
+                    number *= change.share
                 if number is not None and way is Way.BY:
                     ways.setdefault(axis, []).append(number)
                 else:

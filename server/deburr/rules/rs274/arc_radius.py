@@ -10,6 +10,8 @@ the machine knows (offsets that were stored, where a probe stops, home) leaves i
 absolute move. At the beginning of the program it is taken for X0 Y0 Z0, as the control's preview does: an
 arc from wherever the machine happens to stand is none that anyone could mean.
 
+Under `G7` the word X is a diameter, here as in the offsets of `G92` and `G10`; I and R never are.
+
 Source: spec/rs274.md §8, §10
 
 Bad:
@@ -74,6 +76,13 @@ Bad:
     G2 X2 I0.3
     ^^
 
+Bad:
+
+    F100
+    G7 G18 G0 X20 Z0
+    G2 X10 Z-5 I-10 K0
+    ^^
+
 Good:
 
     F100
@@ -81,6 +90,13 @@ Good:
     G2 X1 Y1 I0 J1
     G3 X2.001 Y1 R0.5
     G2 I1
+
+Good:
+
+    F100
+    G7 G18 G0 X20 Z0
+    G2 X10 Z-5 I-5 K0
+    G8 G3 X10 Z0 K5
 """
 
 from __future__ import annotations
@@ -133,6 +149,7 @@ class _Plan(NamedTuple):
 
 _PLANES = {"G17": ((0, 1), "XY", "IJ"), "G18": ((0, 2), "XZ", "IK"), "G19": ((1, 2), "YZ", "JK")}
 _CENTRES = frozenset("IJK")
+_DIAMETER = "; under `G7` X is a diameter, and I and R are none"
 
 
 @rule(Severity.ERROR, Whole())
@@ -157,11 +174,16 @@ def _why(arc: Move) -> str:
     if "R" in numbers:
         # Without a word for its end, and with a centre, other rules speak.
         ended = not given and (plan.axes[0] in numbers or plan.axes[1] in numbers)
-        return _of_radius(abs(numbers["R"]), end, plan.limits) if ended else ""
+        return _said_of(arc, _of_radius(abs(numbers["R"]), end, plan.limits)) if ended else ""
     if not given or not (given <= set(plan.centre)) or not (plan.centre_steps or len(given) == len(plan.centre)):
         return ""
     offset = [_way(from_, numbers.get(letter), plan.centre_steps) for from_, letter in zip(here, plan.centre)]
-    return _of_centre(offset, end, plan.limits)
+    return _said_of(arc, _of_centre(offset, end, plan.limits))
+
+
+def _said_of(arc: Move, why: str) -> str:
+    """What is wrong, and under `G7` what its words mean, since many take I for a diameter, too."""
+    return why + _DIAMETER if why and arc.modes.share != 1 else why
 
 
 def _hangs_on_start(modes: Modes) -> bool:

@@ -1,0 +1,86 @@
+"""Arcs where X is a diameter, and where it is one no longer: those that LinuxCNC's interpreter refuses are those in which something is found."""
+
+import math
+import os
+import subprocess
+from pathlib import Path
+from random import Random
+
+import pytest
+
+from deburr.analysis import Analysis
+from deburr.ruleset import RuleSet
+from deburr_grammar.dialects import by_name
+from deburr_grammar.document import Document
+
+pytestmark = pytest.mark.oracle
+DIALECT = by_name("rs274")
+ARCS = 1_200
+PLANES = {"G17": ("XY", "IJ"), "G18": ("XZ", "IK"), "G19": ("YZ", "JK")}
+
+
+def refused(program: str, folder: Path) -> set[int]:
+    """The numbers of the lines that the interpreter refuses; it goes on behind each."""
+    (folder / "p.ngc").write_text(program)
+    (folder / "p.var").touch()
+    done = subprocess.run(
+        ["rs274", "-g", "-n", "0", "-v", "p.var", "p.ngc"],
+        cwd=folder,
+        env={**os.environ, "HOME": str(folder)},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    said = done.stderr.split("\n")
+    return {int(line[1:].split()[0]) for line in said if line.startswith("N") and line[1:2].isdigit()}
+
+
+def reported(program: str) -> set[int]:
+    findings = Analysis(Document.parse(program, DIALECT), RuleSet(DIALECT)).findings()
+    errors = [finding for finding in findings if finding.severity.name == "ERROR"]
+    assert {finding.rule for finding in errors} <= {"rs274.arc-radius"}
+    return {finding.place.line for finding in errors}
+
+
+def arc(rng: Random) -> list[str]:
+    """The way to where an arc starts, and the arc: right, nearly right, or wrong, in any plane, form and mode."""
+    plane, steps, centre_steps = rng.choice(list(PLANES)), rng.random() < 0.3, rng.random() < 0.7
+    axes, letters = PLANES[plane]
+    diameter, before = rng.random() < 0.7, rng.random() < 0.5
+    middle = [rng.uniform(-20, 20) for _ in axes]
+    radius, angles = rng.choice([0.5, 5.0, 60.0]), [rng.uniform(0, 2 * math.pi) for _ in range(2)]
+    start, end = ([m + radius * f(a) for m, f in zip(middle, (math.cos, math.sin))] for a in angles)
+    off = rng.choice([0, 0, 0, 1e-4, 0.02, 0.027, 0.03, 0.1, 3])
+    end = [value + off * rng.uniform(-1, 1) for value in end]
+    x_first = 2 if before else 1
+    words = [f"{axis}{value * (x_first if axis == 'X' else 1):.6f}" for axis, value in zip(axes, start)]
+    lines = [f"G90 G91.1 {plane} {'G7' if before else 'G8'} G0 {' '.join(words)}"]
+    way = rng.choice(
+        ["", "G92 X3", "G10 L20 P1 X-4", "G10 L2 P3 X9", "G91 G0 X8\nX-8\nG90", "G53 G0 X0", "G20\nG21", "M3 S1"]
+    )
+    if way:
+        lines += way.split("\n")
+    if way[:3] in ("G92", "G10", "G53"):
+        # The tool stands where it stood, or at a new X: an absolute way leads back, in the same mode.
+        lines += [f"G0 {' '.join(words)}"]
+    x_share = 2 if diameter else 1
+    first, last = (end, start) if steps else (end, [0.0, 0.0])
+    said = [f"{axis}{(to - from_) * (x_share if axis == 'X' else 1):.6f}" for axis, to, from_ in zip(axes, first, last)]
+    if rng.random() < 0.25:
+        said.append(f"R{rng.choice([1, -1]) * radius * rng.choice([1, 1, 1.5, 0.999, 0.6]):.6f}")
+    else:
+        base = start if centre_steps else [0.0, 0.0]
+        said += [f"{letter}{to - from_:.6f}" for letter, to, from_ in zip(letters, middle, base)]
+    code = "G7" if diameter else "G8"
+    turn = f"{'G91' if steps else 'G90'} {'G91.1' if centre_steps else 'G90.1'} {rng.choice(['G2', 'G3'])} {' '.join(said)}"
+    return [*lines, *([f"{code} {turn}"] if rng.random() < 0.5 else [code, turn])]
+
+
+def test_arcs_under_g7_and_g8_are_judged_as_the_interpreter_judges_them(tmp_path: Path) -> None:
+    rng = Random(7)
+    lines = ["G21 F100", *(line for _ in range(ARCS) for line in arc(rng))]
+    program = "".join(f"N{number} {line}\n" for number, line in enumerate(lines)) + "M2\n"
+    stopped = refused(program, tmp_path)
+    assert ARCS // 10 < len(stopped) < ARCS // 2
+    assert reported(program) == stopped
