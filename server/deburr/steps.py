@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 T = TypeVar("T")
 
-_MANY = 256
+MANY = 256
 """So many small things are done in one step."""
 _OURS = 2
 """References to an object that nothing else refers to: ours, and that of whoever counts."""
@@ -39,7 +39,7 @@ def kept(
 def let_go(found: list[Any]) -> Iterator[None]:
     """Let go of objects, and of all that only they hold, some at a time: what is known of a large program takes a tenth of a second to free."""
     while found:
-        for _ in range(min(_MANY, len(found))):
+        for _ in range(min(MANY, len(found))):
             one = found.pop()
             # Nobody else has it: here, and as what is asked about.
             if is_tracked(one) and getrefcount(one) <= _OURS:
@@ -51,5 +51,5 @@ def paced(items: Iterable[T]) -> Iterator[T | None]:
     """Items, with a None behind some hundred of them: there the work can be left."""
     for number, item in enumerate(items, 1):
         yield item
-        if not number % _MANY:
+        if not number % MANY:
             yield None

@@ -6,7 +6,7 @@ optional. A faulty program is no error of ours. Nothing is imported here that a 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from importlib import import_module
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -56,7 +56,7 @@ def solving(analysis: Analysis) -> Iterator[None]:
     """Find the values of a program, in work that can be left at each step. They are kept with the analysis."""
     if _MEMO in analysis.memo:
         return
-    program = _program(analysis)
+    program = yield from _program(analysis)
     if program is not None:
         yield from program.solving()
     analysis.memo[_MEMO] = _of_documents[analysis.document] = program
@@ -122,11 +122,12 @@ def _at_hand(analysis: Analysis) -> Program | None:
     return _of_documents[document] if document in _of_documents else values_of(analysis)
 
 
-def _program(analysis: Analysis) -> Program | None:
+def _program(analysis: Analysis) -> Generator[None, None, Program | None]:
     module = language(analysis.dialect.name)
     if module is None or not module.worth(analysis.document):
         return None
-    routines = module.routines(analysis)
+    yield
+    routines = yield from module.routines(analysis)
     if routines is None:
         return None
     from deburr.values.program import Program

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from deburr.steps import MANY
 from deburr.templates.items import Body, Item
 from deburr.templates.parts import Branch, by_line, first_line, last_line, parts_of
 from deburr.templates.template import target
@@ -46,6 +47,8 @@ class Builder:
         self._texts = texts
         self._quiet = quiet
         self._nodes: list[Node] = []
+        self._left = 0
+        """How many nodes there were when the work was last left."""
         self._ways: dict[int, tuple[Way, ...]] = {}
         self._loops: list[tuple[int, int]] = []
         self._callees: set[str] = set()
@@ -54,10 +57,10 @@ class Builder:
         self._waiting: list[list[Label]] = []
         """Where `#EXITC` comes back to, by the bodies around: the next line of the innermost that has one."""
 
-    def section(self, body: Body, header: Span) -> Section:
-        """The flow of a section's body. ``header``: the columns of its header."""
+    def section(self, body: Body, header: Span) -> Generator[None, None, Section]:
+        """The flow of a section's body, built in steps. ``header``: the columns of its header."""
         self._pass(0, span=header)
-        self._body(body)
+        yield from self._body(body)
         self._leave(0, ENDED)
         rows = tuple(sorted({node.line for node in self._nodes}))
         index = {row: at for at, row in enumerate(rows)}
@@ -115,7 +118,7 @@ class Builder:
         ended = exactly(how)
         self._add(row, lambda env, calls: ((RETURN, {**env, END: ended}),), span)
 
-    def _body(self, body: Body) -> None:
+    def _body(self, body: Body) -> Iterator[None]:
         self._waiting.append([])
         if len(self._waiting) > _DEEPEST:
             raise Unread
@@ -123,7 +126,10 @@ class Builder:
         for parts in by_line(parts_of(body)):
             if line is not None and first_line(parts[0]) > line:
                 self._resolve(self._waiting[-1])
-            self._parts(parts)
+            yield from self._parts(parts)
+            if self._next - self._left >= MANY:
+                self._left = self._next
+                yield
             line = last_line(parts[-1])
         if line is not None and (body.opener is None or (body.closer is not None and body.closer.line > line)):
             self._resolve(self._waiting[-1])
@@ -138,7 +144,7 @@ class Builder:
             label.at = self._next
         labels.clear()
 
-    def _parts(self, parts: Sequence[Part]) -> None:
+    def _parts(self, parts: Sequence[Part]) -> Iterator[None]:
         output: list[Item] = []
         for part in parts:
             if isinstance(part, Item) and part.kind == "word":
@@ -152,9 +158,9 @@ class Builder:
                 continue
             self._output(output)
             if isinstance(part, Branch):
-                self._branch(part)
+                yield from self._branch(part)
             elif isinstance(part, Body):
-                self._repeat(part)
+                yield from self._repeat(part)
             else:
                 self._item(part)
         self._output(output)
@@ -257,7 +263,7 @@ class Builder:
 
         self._add(item.line, called, span, callee=name, calls=True)
 
-    def _branch(self, branch: Branch) -> None:
+    def _branch(self, branch: Branch) -> Iterator[None]:
         """A bracket or an `#IF`."""
         body = branch.body
         head = body.head or body.opener
@@ -269,7 +275,7 @@ class Builder:
             self._ways[self._next] = tuple(said_of(body, self._next + 1, other))
         self._decide(head, body, test, used, other)
         inside = self._next
-        self._body(body)
+        yield from self._body(body)
         if branch.other is not None:
             self._pass(head.line, end)
         elif self._next == inside:
@@ -277,7 +283,7 @@ class Builder:
             self._pass(head.line)
         other.at = self._next
         if branch.other is not None:
-            self._body(branch.other)
+            yield from self._body(branch.other)
         end.at = self._next
 
     def _test(self, body: Body) -> tuple[Test, tuple[Key, ...], Sequence[Word]]:
@@ -308,7 +314,7 @@ class Builder:
         sets = tuple(key for key in used if isinstance(key, Shown))
         self._add(head.line, decided, extent(head, body), used, sets)
 
-    def _repeat(self, body: Body) -> None:
+    def _repeat(self, body: Body) -> Iterator[None]:
         head = body.head
         if body.kind != "repeat" or head is None or head.node is None:
             raise Unread
@@ -331,7 +337,7 @@ class Builder:
             self._ways[self._next] = (Way(first, "loop-idle", message),)
         self._add(head.line, entered, span, tuple(expressions.used))
         self._pass(head.line)
-        self._body(body)
+        yield from self._body(body)
         self._loops.append((first, self._next))
         behind = self._next + 1
 

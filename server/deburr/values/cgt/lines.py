@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -61,8 +61,8 @@ def concerns(document: Document) -> bool:
     return _VALUES in document.gathered(_KEY, _marks)
 
 
-def sections(document: Document) -> list[Part]:
-    """The sections in order. It raises `Unread` where a line that takes part cannot be read."""
+def sections(document: Document) -> Generator[None, None, list[Part]]:
+    """The sections in order, found in steps. It raises `Unread` where a line that takes part cannot be read."""
     found: list[Part] = []
     count = 0
     for piece in document.holding(_KEY, _marks, _LINES):
@@ -81,6 +81,7 @@ def sections(document: Document) -> list[Part]:
                 if not found[-1].lines:
                     found[-1] = found[-1]._replace(reading=node.reading.name)
                 found[-1].lines.append(Taken(piece.line + index, node, names))
+        yield
     return found
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Generator, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from deburr.steps import paced
 from deburr.templates.beside import beside, events_in, is_events, machine_in
 from deburr.templates.items import Body, rows_of
 from deburr.templates.items import Builder as Bodies
@@ -27,19 +28,22 @@ _kept: Kept[Kept[Section]] = Kept(_VOCABULARIES)
 """The graphs of sections, by what words mean."""
 
 
-def routines_of(analysis: Analysis) -> Mapping[str, Routine] | None:
-    """The routines by their names; None where the template cannot be read."""
+def routines_of(analysis: Analysis) -> Generator[None, None, Mapping[str, Routine] | None]:
+    """The routines by their names, found in steps; None where the template cannot be read."""
     document = analysis.document
     if document.faults:
         return None
     try:
-        parts = _first(sections(document))
+        parts = _first((yield from sections(document)))
         run = {name: part for name, part in parts.items() if part.reading != "table"}
         machine = machine_in(beside(analysis.settings, analysis.host, "machine"))
         words = _vocabulary(parts, run, machine, analysis.inputs.define)
         graphs = _graphs(words)
         graphs.fit(sum(len(part.lines) for part in run.values()))
-        built = {name: _section(part, words, graphs) for name, part in run.items()}
+        built: dict[str, Section] = {}
+        for name, part in run.items():
+            built[name] = yield from _section(part, words, graphs)
+            yield
     except Unread:
         return None
     found = {
@@ -119,7 +123,7 @@ def _path(analysis: Analysis) -> Path:
     return path_of(events_in(file).events) if file.text is not None and is_events(file) else Path()
 
 
-def _section(part: Part, words: Vocabulary, kept: Kept[Section]) -> Section:
+def _section(part: Part, words: Vocabulary, kept: Kept[Section]) -> Generator[None, None, Section]:
     """A section's flow, kept by its lines."""
     lines = tuple((line.row - part.row, line.node.text) for line in part.lines)
     quiet = part.name in words.quiet
@@ -128,8 +132,11 @@ def _section(part: Part, words: Vocabulary, kept: Kept[Section]) -> Section:
     if found is None:
         body = Body("section")
         bodies = Bodies(body)
-        for line in part.lines:
-            bodies.add(items_of(line.row - part.row, line.node, words.symbols))
-        found = Builder(words, dict(lines), quiet).section(body, Span(0, 1 + len(part.name)))
+        for line in paced(part.lines):
+            if line is None:
+                yield
+            else:
+                bodies.add(items_of(line.row - part.row, line.node, words.symbols))
+        found = yield from Builder(words, dict(lines), quiet).section(body, Span(0, 1 + len(part.name)))
         kept.add(key, found, len(lines))
     return found

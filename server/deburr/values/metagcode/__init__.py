@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Generator, Mapping
 
     from deburr.analysis import Analysis
     from deburr.values.program import Routine
@@ -19,11 +19,11 @@ def worth(document: Document) -> bool:
     return concerns(document)
 
 
-def routines(analysis: Analysis) -> Mapping[str, Routine] | None:
+def routines(analysis: Analysis) -> Generator[None, None, Mapping[str, Routine] | None]:
     """The text with all its snippets; None where its blocks do not fit together."""
     from deburr.values.metagcode.flow import routine_of
 
-    found = routine_of(analysis)
+    found = yield from routine_of(analysis)
     return None if found is None else {found.name: found}
 
 

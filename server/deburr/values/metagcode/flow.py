@@ -6,10 +6,11 @@ known from its head.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
+from deburr.steps import paced
 from deburr.values.domain import NO, WILD, Value, may_be_zero, without_zero
 from deburr.values.graph import STOP, Calls, Env, Flows, Graph, Key, Node, Proof
 from deburr.values.kept import LINES, Kept
@@ -36,10 +37,10 @@ _SLACK = 1 + 1e-9
 _graphs: Kept[Graph] = Kept()
 
 
-def routine_of(analysis: Analysis) -> Routine | None:
-    """The text as a routine; None where blocks do not fit together or snippets cannot be seen."""
+def routine_of(analysis: Analysis) -> Generator[None, None, Routine | None]:
+    """The text as a routine, found in steps; None where blocks do not fit together or snippets cannot be seen."""
     try:
-        lines = taken(analysis)
+        lines = yield from taken(analysis)
     except Unseen:
         return None
     partners = _partners(lines)
@@ -48,7 +49,8 @@ def routine_of(analysis: Analysis) -> Routine | None:
     key = (analysis.file, tuple((line.file, line.node.text) for line in lines))
     graph = _graphs.get(key)
     if graph is None:
-        graph = _graphs.add(key, _graph(lines, partners, analysis.file), len(lines))
+        made = yield from _graph(lines, partners, analysis.file)
+        graph = _graphs.add(key, made, len(lines))
     return Routine(_NAME, [line.row for line in lines], graph, {}, [line.file for line in lines])
 
 
@@ -72,9 +74,13 @@ def _partners(lines: Sequence[Taken]) -> dict[int, int] | None:
     return None if opened else found
 
 
-def _graph(lines: Sequence[Taken], partners: dict[int, int], main: str) -> Graph:
+def _graph(lines: Sequence[Taken], partners: dict[int, int], main: str) -> Generator[None, None, Graph]:
     nodes = {}
-    for at, line in enumerate(lines):
+    for each in paced(enumerate(lines)):
+        if each is None:
+            yield
+            continue
+        at, line = each
         behind, beyond = (to if to < len(lines) else STOP for to in (at + 1, partners.get(at, at) + 1))
         nodes[at] = _node(at, line.node, line.bracket, behind, beyond, line.file == main)
     return Graph(with_all_orders(nodes), {}, (), frozenset(), None, frozenset(), frozenset(), frozenset())

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.includes import Folder, leaves
+from deburr.steps import paced
 from deburr.values.kept import line_of
 from deburr_grammar.dialects.metagcode.limits import DEEPEST, LARGEST
 from deburr_grammar.dialects.metagcode.outline import SNIPPET
@@ -46,18 +47,21 @@ def concerns(document: Document) -> bool:
     return _ASKS in document.gathered(_KEY, _marks)
 
 
-def taken(analysis: Analysis) -> list[Taken]:
-    """The lines that take part, in the order of the gathered text."""
+def taken(analysis: Analysis) -> Generator[None, None, list[Taken]]:
+    """The lines that take part, in the order of the gathered text, found in steps."""
     folder = Folder(analysis.host, analysis.file, str(analysis.settings["snippets-dir"]))
     found: list[Taken] = []
-    _gather(analysis.document, analysis.file, folder, {}, 0, found)
+    yield from _gather(analysis.document, analysis.file, folder, {}, 0, found)
     return found
 
 
 def _gather(
     document: Document, file: str, folder: Folder, read: dict[str, Document], depth: int, found: list[Taken]
-) -> None:
-    for line in _of_document(document, file):
+) -> Iterator[None]:
+    for line in paced(_of_document(document, file)):
+        if line is None:
+            yield
+            continue
         if line.bracket is None or line.bracket.kind != SNIPPET:
             found.append(line)
             if len(found) > _MOST:
@@ -68,7 +72,7 @@ def _gather(
         if snippet is None or depth == DEEPEST or snippet.larger(LARGEST):
             raise Unseen
         inner = read.setdefault(snippet.path, Document.parse(snippet.text, document.dialect))
-        _gather(inner, snippet.path, folder, read, depth + 1, found)
+        yield from _gather(inner, snippet.path, folder, read, depth + 1, found)
 
 
 def _of_document(document: Document, file: str) -> Iterator[Taken]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Generator, Mapping
 
     from deburr.analysis import Analysis
     from deburr.values.program import Routine
@@ -19,11 +19,11 @@ def worth(document: Document) -> bool:
     return concerns(document)
 
 
-def routines(analysis: Analysis) -> Mapping[str, Routine] | None:
+def routines(analysis: Analysis) -> Generator[None, None, Mapping[str, Routine] | None]:
     """The main program and the subprograms; None where nothing can be said of them."""
     from deburr.values.rs274.split import routines_of
 
-    return routines_of(analysis)
+    return (yield from routines_of(analysis))
 
 
 def written(key: object) -> str:

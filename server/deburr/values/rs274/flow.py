@@ -7,9 +7,10 @@ to that of `endif` come those for whom no condition held.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Generator, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from deburr.steps import paced
 from deburr.values.graph import Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof
 from deburr.values.rs274.commands import Commands
 from deburr.values.rs274.expressions import Expressions
@@ -48,11 +49,14 @@ class Builder:
         self._sets: Counter[Hashable] = Counter()
         """What is set, with the number of lines that do so."""
 
-    def graph(self) -> Graph:
-        """The routine's flow."""
+    def graph(self) -> Generator[None, None, Graph]:
+        """The routine's flow, built in steps."""
         self._pair()
-        for at, line in enumerate(self.lines):
-            self._take(at, line)
+        for each in paced(enumerate(self.lines)):
+            if each is None:
+                yield
+            else:
+                self._take(*each)
         everything = self._used | self._sets.keys()
         own = frozenset(key for key in everything if isinstance(key, str) and not is_shared(key) and key != ANYTHING)
         return Graph(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from functools import lru_cache, partial
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -46,8 +46,8 @@ class Taken(NamedTuple):
     is_start: bool = False
 
 
-def taken(document: Document, remapped: Sequence[str] = ()) -> list[Taken] | None:
-    """The lines that take part, in order; None where there are too many. ``remapped``: codes to which the machine gives a meaning of its own."""
+def taken(document: Document, remapped: Sequence[str] = ()) -> Generator[None, None, list[Taken] | None]:
+    """The lines that take part, in order, found in steps; None where there are too many. ``remapped``: codes to which the machine gives a meaning of its own."""
     foreign = _written(tuple(remapped))
     found: list[Taken] = []
     marks = partial(_marks, foreign)
@@ -56,8 +56,10 @@ def taken(document: Document, remapped: Sequence[str] = ()) -> list[Taken] | Non
         several += _several(piece, foreign)
         if several > _MOST:
             return None
+        yield
     for piece in document.holding((_KEY, foreign), marks, _LINES):
         found += [Taken(line.row + piece.line, *line[1:]) for line in _of_piece(document, piece, foreign)]
+        yield
     return found
 
 

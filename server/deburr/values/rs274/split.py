@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
 from posixpath import basename, splitext
 from typing import TYPE_CHECKING, NamedTuple
 
+from deburr.steps import paced
 from deburr.values.graph import RETURN, STOP, Env, Graph, unset
 from deburr.values.kept import Kept
 from deburr.values.program import Routine
@@ -25,6 +26,7 @@ _BY_NUMBER = " by number"
 """What is behind the label in the name of a program that M98 calls."""
 _MOST = 500
 """So many subprograms of files; of a program that calls more nothing is said."""
+_ACTING = frozenset(("word", "setting", "CALL"))
 _graphs: Kept[Graph] = Kept()
 
 
@@ -36,24 +38,27 @@ class _Part(NamedTuple):
     file: str | None = None
 
 
-def routines_of(analysis: Analysis) -> Mapping[str, Routine] | None:
-    """The routines by name; None where the flow hangs on what nobody can see."""
+def routines_of(analysis: Analysis) -> Generator[None, None, Mapping[str, Routine] | None]:
+    """The routines by name, found in steps; None where the flow hangs on what nobody can see."""
     if analysis.document.faults:
         return None
-    lines = taken(analysis.document, analysis.settings["remap"])
-    parts = _parts(lines) if lines is not None else None
+    lines = yield from taken(analysis.document, analysis.settings["remap"])
+    parts = (yield from _parts(lines)) if lines is not None else None
     if parts is None:
         return None
     files = Files(analysis)
     numbered = _numbered(parts, files)
     _graphs.fit(len(lines or ()))
     try:
-        graphs = {name: _graph(analysis, name, part.lines, numbered) for name, part in parts.items()}
+        graphs: dict[str, Graph] = {}
+        for name, part in parts.items():
+            graphs[name] = yield from _graph(analysis, name, part.lines, numbered)
+            yield
         called = frozenset().union(*(graph.callees for graph in graphs.values())) - parts.keys()
-        elsewhere = _of_files(analysis, files, set(called))
+        elsewhere = yield from _of_files(analysis, files, set(called))
     except Torn:
         return None
-    opened = _opened(analysis, parts, graphs)
+    opened = yield from _opened(analysis, parts, graphs)
     times = Counter([*(part.label for part in parts.values()), *(part.label for part, _ in elsewhere)])
     found = {}
     for name, part in parts.items():
@@ -62,12 +67,14 @@ def routines_of(analysis: Analysis) -> Mapping[str, Routine] | None:
         known = f"{name} " if is_hidden else name
         entry = _start(analysis, graphs[name]) if name == MAIN else opened.get(name)
         found[known] = Routine(known, [line.row for line in part.lines], graphs[name], entry)
+        yield
     for part, graph in elsewhere:
         # Of two subprograms of one name, or of one that also has another file, nobody knows which is called.
         is_hidden = times[part.label] > 1 or not _is_in_own_file(files, part)
         known = f"{part.label} of {part.file}" if is_hidden else part.label
         rows = [line.row for line in part.lines]
         found[known] = Routine(known, rows, graph, None, [part.file or ""] * len(rows))
+        yield
     return found
 
 
@@ -76,12 +83,15 @@ def _is_in_own_file(files: Files, part: _Part) -> bool:
     return file is None or file.path == part.file
 
 
-def _parts(lines: Sequence[Taken]) -> dict[str, _Part] | None:
+def _parts(lines: Sequence[Taken]) -> Generator[None, None, dict[str, _Part] | None]:
     """The lines of each routine. What stands behind a subprogram belongs to what stands before it."""
     found: dict[str, list[Taken]] = {MAIN: []}
     labels = {MAIN: ""}
     inside = outside = MAIN
-    for line in lines:
+    for line in paced(lines):
+        if line is None:
+            yield
+            continue
         bracket = line.bracket
         if bracket is not None and bracket.role is Role.REGION or line.is_start:
             label = _label(line)
@@ -111,25 +121,30 @@ def _numbered(parts: Mapping[str, _Part], files: Files) -> frozenset[str]:
     return frozenset(label for label in labels if not files.has(label))
 
 
-def _graph(analysis: Analysis, name: str, lines: Sequence[Taken], numbered: frozenset[str]) -> Graph:
+def _graph(
+    analysis: Analysis, name: str, lines: Sequence[Taken], numbered: frozenset[str]
+) -> Generator[None, None, Graph]:
     settings, delete = analysis.settings, analysis.inputs.block_delete
     end = STOP if name == MAIN or name.endswith(_BY_NUMBER) else RETURN
     entered = numbered & {line.enters for line in lines}
     key = (end, settings["compare"], settings["profile"], delete, entered, tuple(line.node.text for line in lines))
     found = _graphs.get(key)
     if found is None:
-        found = _graphs.add(key, Builder(lines, end, settings, delete, entered).graph(), len(lines))
+        graph = yield from Builder(lines, end, settings, delete, entered).graph()
+        found = _graphs.add(key, graph, len(lines))
     return found
 
 
-def _opened(analysis: Analysis, parts: Mapping[str, _Part], graphs: Mapping[str, Graph]) -> dict[str, Env]:
+def _opened(
+    analysis: Analysis, parts: Mapping[str, _Part], graphs: Mapping[str, Graph]
+) -> Generator[None, None, dict[str, Env]]:
     """What routines start with that others may call than those of this program.
 
     A remapped code may set the local names of the one with the file's name. To a program that M98 calls anything may
     lead, also the end of the lines above it; and M98 may call a subprogram with a number.
     """
     stem = splitext(basename(analysis.file))[0].lower()
-    library = len(parts) > 1 and not _has_main(analysis, parts)
+    library = len(parts) > 1 and not (yield from _has_main(analysis, parts))
     own = {stem} & parts.keys()
     called = {line.enters for part in parts.values() for line in part.lines} - {""}
     subs = {name for name in parts if name != MAIN and not name.endswith(_BY_NUMBER)}
@@ -141,20 +156,17 @@ def _opened(analysis: Analysis, parts: Mapping[str, _Part], graphs: Mapping[str,
     }
 
 
-def _has_main(analysis: Analysis, parts: Mapping[str, _Part]) -> bool:
+def _has_main(analysis: Analysis, parts: Mapping[str, _Part]) -> Generator[None, None, bool]:
     """Whether anything is done outside of subprograms, other than to end the program."""
-    document = analysis.document
     outside = [part for name, part in parts.items() if name == MAIN or name.endswith(_BY_NUMBER)]
     subs = [part for part in parts.values() if part not in outside]
     inside = {row for part in subs for row in range(part.lines[0].row, part.lines[-1].row + 1)}
     ends = {line.row for part in outside for line in part.lines if line.ends}
-    for row in range(document.line_count):
-        if (
-            row not in inside
-            and row not in ends
-            and not document.node(row).kinds.isdisjoint(("word", "setting", "CALL"))
-        ):
+    for piece in analysis.document.pieces():
+        acting = piece.where(lambda reading, shape: not shape.facts(reading).kinds.isdisjoint(_ACTING))
+        if any(piece.line + at not in inside and piece.line + at not in ends for at, _, _ in acting):
             return True
+        yield
     return False
 
 
@@ -164,31 +176,34 @@ def _start(analysis: Analysis, graph: Graph) -> Env:
     return unset(graph.locals - given, True)
 
 
-def _of_files(analysis: Analysis, files: Files, labels: set[str]) -> list[tuple[_Part, Graph]]:
+def _of_files(analysis: Analysis, files: Files, labels: set[str]) -> Generator[None, None, list[tuple[_Part, Graph]]]:
     """The subprograms of the files of some labels, and of those that they call in their turn. What cannot be followed is left out."""
     found: list[tuple[_Part, Graph]] = []
     waiting, seen = sorted(labels), set(labels)
     while waiting:
         file = files.read(waiting.pop())
-        for part in _parts_of(analysis, file) if file is not None else ():
-            graph = _graph(analysis, part.label, part.lines, frozenset())
+        for part in (yield from _parts_of(analysis, file)) if file is not None else ():
+            graph = yield from _graph(analysis, part.label, part.lines, frozenset())
             found.append((part, graph))
             waiting += sorted(graph.callees - seen)
             seen |= graph.callees
         if len(found) > _MOST:
             raise Torn
+        yield
     return found
 
 
-def _parts_of(analysis: Analysis, file: File) -> list[_Part]:
-    lines = taken(file.document, analysis.settings["remap"]) if not file.document.faults else None
-    parts = _parts(lines) if lines is not None else None
+def _parts_of(analysis: Analysis, file: File) -> Generator[None, None, list[_Part]]:
+    lines = None
+    if not file.document.faults:
+        lines = yield from taken(file.document, analysis.settings["remap"])
+    parts = (yield from _parts(lines)) if lines is not None else None
     if parts is None or any(name.endswith(_BY_NUMBER) for name in parts):
         return []
     subs = [part._replace(file=file.path) for name, part in parts.items() if name != MAIN]
     try:
         for part in subs:
-            _graph(analysis, part.label, part.lines, frozenset())
+            yield from _graph(analysis, part.label, part.lines, frozenset())
     except Torn:
         return []
     return subs

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Generator, Mapping
 
     from deburr.analysis import Analysis
     from deburr.values.program import Routine
@@ -22,11 +22,11 @@ def worth(document: Document) -> bool:
     return concerns(document)
 
 
-def routines(analysis: Analysis) -> Mapping[str, Routine] | None:
+def routines(analysis: Analysis) -> Generator[None, None, Mapping[str, Routine] | None]:
     """The main program, its sections and the files that are called; None where nothing can be said of them."""
     from deburr.values.z32.split import routines_of
 
-    return routines_of(analysis)
+    return (yield from routines_of(analysis))
 
 
 def written(key: object) -> str:

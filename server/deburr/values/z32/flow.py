@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import Counter
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections.abc import Callable, Generator, Hashable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.arithmetic.z32 import NEAR_INTEGER, constant
+from deburr.steps import paced
 from deburr.values.domain import ANY, UNSET, exactly
 from deburr.values.graph import RETURN, Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof
 from deburr.values.z32.blocks import Block
@@ -74,15 +75,23 @@ class Builder:
         self._literals: Counter[Hashable] = Counter()
         """How often each is set to a number that is written out."""
 
-    def graph(self) -> Graph:
-        """The program's flow."""
-        self._place()
-        for at, line in enumerate(self.lines):
-            self._take(at, line)
+    def graph(self) -> Generator[None, None, Graph]:
+        """The program's flow, built in steps."""
+        yield from self._place()
+        for each in paced(enumerate(self.lines)):
+            if each is None:
+                yield
+            else:
+                self._take(*each)
+        yield
+        heads: dict[int, Head] = {}
+        for number, head in self._heads():
+            heads[number] = head
+            yield
         everything = self._used | self._sets.keys()
         return Graph(
             self._nodes,
-            dict(self._heads()),
+            heads,
             tuple(loop for loop in self._backs if self._counts(loop)),
             frozenset(("returns", end) for end in self._ends),
             None if None in everything else frozenset(everything),
@@ -227,10 +236,14 @@ class Builder:
 
         return maybe
 
-    def _place(self) -> None:
+    def _place(self) -> Iterator[None]:
         """Number the nodes, and find what jumps name."""
         number = 0
-        for at, line in enumerate(self.lines):
+        for each in paced(enumerate(self.lines)):
+            if each is None:
+                yield
+                continue
+            at, line = each
             self._first.append(number)
             ranges = len(list(line.node.find("range_end"))) if "range_end" in line.node.kinds else 0
             number += max(1, sum(map(len, fields_of(line.node)))) + ranges

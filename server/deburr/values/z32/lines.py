@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.arithmetic.z32 import constant
@@ -58,14 +58,15 @@ def marks_of(document: Document) -> Marks:
     return Marks(targets, _COMPUTED in found, frozenset(reads))
 
 
-def taken(document: Document, tracked: frozenset[str], marks: Marks) -> list[Taken] | None:
-    """The lines that take part, in order: those that calculate or turn, those to which jumps lead, and those that set one of ``tracked``. None: too many."""
+def taken(document: Document, tracked: frozenset[str], marks: Marks) -> Generator[None, None, list[Taken] | None]:
+    """The lines that take part, in order, found in steps: those that calculate or turn, those to which jumps lead, and those that set one of ``tracked``. None: too many."""
     found: list[Taken] = []
     for piece in document.pieces():
         lines = _of_piece(document, piece, tracked, marks)
         found += [Taken(line.row + piece.line, *line[1:]) for line in lines] if piece.line else lines
         if len(found) > _MOST:
             return None
+        yield
     return found
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from posixpath import basename, dirname, normpath
 from typing import TYPE_CHECKING
 
@@ -25,10 +25,15 @@ _ACTIVE = frozenset(("word", "g_word", "axis_alias", "stray", "advanced", "mixed
 _graphs: Kept[Graph] = Kept()
 
 
-def routines_of(analysis: Analysis) -> Mapping[str, Routine] | None:
-    """The parts by name; None where the flow hangs on what nobody can see."""
+def routines_of(analysis: Analysis) -> Generator[None, None, Mapping[str, Routine] | None]:
+    """The parts by name, found in steps; None where the flow hangs on what nobody can see."""
+    files = Files(analysis)
+    tracked: set[str] = set()
+    for file in files.all():
+        tracked |= file.marks.reads
+        yield
     try:
-        return _Split(analysis).routines()
+        return (yield from _Split(analysis, files, frozenset(tracked)).routines())
     except Torn:
         return None
 
@@ -36,24 +41,24 @@ def routines_of(analysis: Analysis) -> Mapping[str, Routine] | None:
 class _Split:
     """The parts of one program."""
 
-    def __init__(self, analysis: Analysis) -> None:
+    def __init__(self, analysis: Analysis, files: Files, tracked: frozenset[str]) -> None:
         self._analysis = analysis
-        self._files = Files(analysis)
-        tracked = frozenset(name for file in self._files.all() for name in file.marks.reads)
+        self._files = files
         self._world = World(tracked, _machine(analysis))
         self._lines: dict[str, list[Taken]] = {}
         self._starts: dict[str, list[int]] = {}
         self._waiting: list[tuple[str, Target]] = []
         self._named: dict[str, Target] = {}
 
-    def routines(self) -> Mapping[str, Routine]:
-        """All of them."""
+    def routines(self) -> Generator[None, None, Mapping[str, Routine]]:
+        """All of them, found in steps."""
         main = self._files.main
-        lines, alone = self._of_file(main), _is_main(self._analysis, main.marks)
+        lines = yield from self._of_file(main)
+        alone = _is_main(self._analysis, main.marks)
         part = _main_part(lines, main.marks)
         _graphs.fit(len(lines))
         self._only_called = len(part) < len(lines)
-        known = {MAIN: self._routine(MAIN, main, part, {})}
+        known = {MAIN: (yield from self._routine(MAIN, main, part, {}))}
         if not alone:
             for number in main.sections:
                 self._name(Target(main.path, number))
@@ -62,16 +67,20 @@ class _Split:
             file = self._files.file(target.path)
             assert file is not None, "what is called was read"
             is_open = not alone and target.path == main.path
-            known[name] = self._routine(name, file, self._part(file, target.section), {} if is_open else None)
+            part = yield from self._part(file, target.section)
+            known[name] = yield from self._routine(name, file, part, {} if is_open else None)
+            yield
         return known
 
-    def _routine(self, name: str, file: File, lines: Sequence[Taken], entry: Env | None) -> Routine:
-        graph = self._graph(file, lines)
+    def _routine(
+        self, name: str, file: File, lines: Sequence[Taken], entry: Env | None
+    ) -> Generator[None, None, Routine]:
+        graph = yield from self._graph(file, lines)
         start = None if entry is None else {**entry, **unset(graph.locals, True)}
         files = None if file is self._files.main else [file.path] * len(lines)
         return Routine(name, [line.row for line in lines], graph, start, files, True)
 
-    def _graph(self, file: File, lines: Sequence[Taken]) -> Graph:
+    def _graph(self, file: File, lines: Sequence[Taken]) -> Generator[None, None, Graph]:
         delete = self._analysis.inputs.block_delete
         callees = tuple(self._called(file, line, call) for line in lines for call in _calls(line))
         machine = tuple(sorted(self._world.machine.items()))
@@ -82,7 +91,8 @@ class _Split:
             builder = Builder(
                 lines, self._world, delete, lambda line, call: self._called(file, line, call), only_called
             )
-            found = _graphs.add(key, builder.graph(), len(lines))
+            graph = yield from builder.graph()
+            found = _graphs.add(key, graph, len(lines))
         return found
 
     def _called(self, file: File, line: Taken, call: Part) -> str:
@@ -97,8 +107,8 @@ class _Split:
             self._waiting.append((name, target))
         return name
 
-    def _part(self, file: File, section: int | None) -> Sequence[Taken]:
-        lines = self._of_file(file)
+    def _part(self, file: File, section: int | None) -> Generator[None, None, Sequence[Taken]]:
+        lines = yield from self._of_file(file)
         if section is None:
             return lines
         if file.path not in self._starts:
@@ -107,9 +117,9 @@ class _Split:
         found = next(number for number, at in enumerate(starts) if lines[at].section == section)
         return lines[starts[found] : starts[found + 1] if found + 1 < len(starts) else None]
 
-    def _of_file(self, file: File) -> list[Taken]:
+    def _of_file(self, file: File) -> Generator[None, None, list[Taken]]:
         if file.path not in self._lines:
-            lines = taken(file.document, self._world.tracked, file.marks)
+            lines = yield from taken(file.document, self._world.tracked, file.marks)
             if lines is None:
                 raise Torn
             self._lines[file.path] = lines
