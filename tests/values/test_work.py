@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from deburr.values import values_of
-from deburr.values.graph import Calls, Env, Flows, Graph, Node
+from deburr.values.graph import Calls, Env, Flows, Graph, Node, join
 from deburr.values.kept import Kept
 from deburr.values.metagcode import flow
 from deburr.values.solve import Solution
@@ -16,17 +16,16 @@ from support.values import analysed
 
 MANY = 39
 """Sections, each of which is called three times, every time with another value."""
-MAINS = {
-    "z32": "(P)\n" + "".join(f"HA{at}\n!GOP{at % MANY + 1}!\n" for at in range(3 * MANY)) + "M30\n",
-    "rs274": "".join(f"#31={at}\no<s{at % MANY + 1}> call\n" for at in range(3 * MANY)) + "M2\n",
-}
-"""The main programs: a line that sets what the sections read, and a call."""
+MAINS = {"z32": ("(P)\n", "HA{at}\n!GOP{part}!\n", "M30\n"), "rs274": ("", "#31={at}\no<s{part}> call\n", "M2\n")}
+"""The main programs: a line that sets what the sections read, and a call, many times."""
 PARTS = {
     "z32": ":{at}\nHB0\nN10 X<HB+HA>\n!HB=HB+1; IF HB<9; GON10!\nHC<HA>\nG26\n",
     "rs274": "o<s{at}> sub\n#32=0\no1 while [#32 LT 9]\n#32=[#32+1]\no1 endwhile\n#33=#31\no<s{at}> endsub\n",
 }
 EDITS = {"z32": ("X<HB+HA>", "X<HB+HA*2>"), "rs274": ("LT 9]", "LT 8]")}
 """What is edited in one section. What it leaves is the same in Z32; in RS274 its caller goes on with something else, and calls the next one with that."""
+SAME = {"z32": EDITS["z32"], "rs274": ("#33=#31", "#33=[#31*1]")}
+"""Edits behind which a section leaves what it left before."""
 TOUCHED = {"z32": ["main.ngc:21"], "rs274": ["main program", "s21", "s22"]}
 LOOPS = {
     "z32": "(P)\nHA0\nHB0\nN10 X<HA>\n!HA=HA+1; IF HA<9000; GON10!\nHB<HA>\nHC<HB>\nX<HC>\n",
@@ -37,12 +36,16 @@ ROUNDS = 2
 """A section is gone through where it is first called, and once more with all that is passed."""
 
 
-def _text(dialect: str, edited: int | None = None) -> str:
-    parts = [PARTS[dialect].format(at=at) for at in range(1, MANY + 1)]
-    if edited is not None:
-        parts[edited] = parts[edited].replace(*EDITS[dialect])
-    main = MAINS[dialect]
+def _text(dialect: str, edited: tuple[str, str] = ("", ""), many: int = MANY) -> str:
+    parts = [PARTS[dialect].format(at=at) for at in range(1, many + 1)]
+    parts[many // 2 + 1] = parts[many // 2 + 1].replace(*edited)
+    main = _main(dialect, many)
     return "".join((main, *parts)) if dialect == "z32" else "".join((*parts, main))
+
+
+def _main(dialect: str, many: int) -> str:
+    first, each, last = MAINS[dialect]
+    return first + "".join(each.format(at=at, part=at % many + 1) for at in range(3 * many)) + last
 
 
 def _work(dialect: str, text: str, monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
@@ -69,9 +72,31 @@ def test_a_routine_is_gone_through_once_for_all_further_calls(dialect: str, monk
     assert len(first) == MANY + 1
     # What the last section leaves comes round to the first ones, whose answers may send one more round to it.
     assert first["main program"] <= ROUNDS and sum(first.values()) <= ROUNDS * (MANY + 1) + 1, first
-    edit = _work(dialect, _text(dialect, 20), monkeypatch)
+    edit = _work(dialect, _text(dialect, EDITS[dialect]), monkeypatch)
     assert sorted(edit) == TOUCHED[dialect]
     assert max(edit.values()) <= ROUNDS, edit
+
+
+@pytest.mark.parametrize("dialect", MAINS)
+def test_what_routines_are_called_with_is_joined_again_where_an_edit_changes_it(
+    dialect: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is the same work whether a program has few routines or many, for all others start with what they started with."""
+    joined = []
+    for many in (MANY // 2, MANY):
+        monkeypatch.setattr("deburr.values.ledger._kept", Kept[Any]())
+        made: list[Env] = []
+
+        def counted(one: Env, two: Env, made: list[Env] = made) -> Env:
+            made.append(one)
+            return join(one, two)
+
+        monkeypatch.setattr("deburr.values.program.join", counted)
+        for edit in (("", ""), SAME[dialect]):
+            made.clear()
+            assert values_of(analysed(_text(dialect, edit, many), dialect)) is not None
+        joined.append(len(made))
+    assert joined[0] == joined[1] < 20, joined
 
 
 @pytest.mark.parametrize("dialect", LOOPS)

@@ -22,16 +22,18 @@ class Asked(NamedTuple):
 
 
 class Solved(NamedTuple):
-    """A routine's values, what it called and with what in all, and what it asked, in that order."""
+    """A routine's values and those that it returns with, what it called and with what in all, and what it asked, in that order.
+
+    ``returned``: None: it does not return. ``further``: of what was called that with which more was passed than when it was first asked.
+    ``is_blind``: whether it calls something that nobody can see.
+    """
 
     solution: Solution
+    returned: Env | None
     called: Mapping[str, Env]
+    further: Mapping[str, Env]
     asked: Sequence[Asked]
-
-    @property
-    def is_blind(self) -> bool:
-        """Whether it calls something that nobody can see."""
-        return any(each.told is None for each in self.asked)
+    is_blind: bool
 
 
 class Answering(Protocol):
@@ -68,7 +70,11 @@ def gone_through(
 ) -> Generator[None, None, Solved]:
     """The values of a routine: those that are kept, if it is told what it was told then, which is asked in the same order."""
     versions = _kept.get(graph) or []
-    alike = [each for each in versions if each.is_general == program.is_general and each.entry == entry]
+    alike = [
+        each
+        for each in versions
+        if each.is_general == program.is_general and (each.entry is entry or each.entry == entry)
+    ]
     asked: list[Asked] = []
     while alike:
         known = next((each for each in alike if len(each.solved.asked) == len(asked)), None)
@@ -77,8 +83,9 @@ def gone_through(
             return known.solved
         alike = _told_alike(alike, asked, program)
     ledger = _Ledger(program, asked)
-    found = Solved(Solution(graph, entry, ledger, forgotten), ledger.called, ledger.asked)
-    yield from found.solution.steps()
+    solution = Solution(graph, entry, ledger, forgotten)
+    yield from solution.steps()
+    found = ledger.closed(solution)
     versions.insert(0, _Version(program.is_general, entry, found))
     del versions[_VERSIONS:]
     _kept.add(graph, versions, len(versions) * len(graph.nodes))
@@ -115,6 +122,13 @@ class _Ledger:
     def again(self) -> None:
         """Forget what calls were guessed to pass while the values of loops grew."""
         self.called.clear()
+
+    def closed(self, solution: Solution) -> Solved:
+        """All of it, when the routine was gone through."""
+        first = {label: env for label, env, _ in self.asked}
+        further = {label: env for label, env in self.called.items() if env != first[label]}
+        is_blind = any(each.told is None for each in self.asked)
+        return Solved(solution, solution.returned, self.called, further, self.asked, is_blind)
 
     def call(self, label: str, arguments: Env, shared: Env) -> Summary | None:
         """What is known of a routine; what it is called with is noted. While one is gone through, all its calls are told the same."""

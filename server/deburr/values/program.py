@@ -11,6 +11,7 @@ from collections.abc import Generator, Iterator, Mapping, Sequence
 from functools import cached_property, reduce
 from typing import NamedTuple
 
+from deburr.values.again import again
 from deburr.values.domain import Value, joined
 from deburr.values.graph import Env, Graph, Key, Summary, join, unset, widen
 from deburr.values.ledger import Solved, fit, gone_through
@@ -116,9 +117,9 @@ class Program:
         for solved in self.solved.values():
             unseen = [(name, dict[Key, Value]()) for name in self.routines] if solved.is_blind else ()
             for name, env in (*solved.called.items(), *unseen):
-                own = {**env, **unset(self.routines[name].graph.locals, True)}
-                found[name] = join(found[name], own) if name in found else own
-        changed = [name for name in self.solved if name in found and found[name] != self._entries[name]]
+                own = self._own(name, env)
+                found[name] = again(join, found[name], own) if name in found else own
+        changed = [name for name in self.solved if name in found and not _is_same(found[name], self._entries[name])]
         self._entries.update((name, found[name]) for name in changed)
         return changed
 
@@ -126,7 +127,7 @@ class Program:
         """All that went in holds, so that what comes out does."""
         solved = self.solved[name] = yield from self._found(name, self._entries[name])
         old = self._summaries[name]
-        self._summaries[name] = old._replace(env=_written(solved.solution.returned, old))
+        self._summaries[name] = old._replace(env=_left(solved.returned, old))
 
     def _solve(self, name: str) -> Iterator[None]:
         self._active.append(name)
@@ -138,8 +139,9 @@ class Program:
             self._waiting.remove(name)
         elif not self.tells(solved):
             self._queue(name)
-        self._leave(name, solved.solution)
-        for callee, env in solved.called.items():
+        self._leave(name, solved.returned)
+        # With what it asked first, each is called already.
+        for callee, env in solved.further.items():
             self._called(callee, env)
         if solved.is_blind:
             for other in self.routines:
@@ -164,15 +166,20 @@ class Program:
         return self.summary(label)
 
     def _called(self, name: str, env: Env) -> None:
-        self._enter(name, {**env, **unset(self.routines[name].graph.locals, True)})
+        self._enter(name, self._own(name, env))
+
+    def _own(self, name: str, env: Env) -> Env:
+        """What a routine starts with that is called with some values."""
+        own = self.routines[name].graph.locals
+        return again(_with_unset, env, own) if own else env
 
     def _enter(self, name: str, env: Env) -> None:
         old = self._entries.get(name)
-        if env == old:
+        if old is not None and _is_same(env, old):
             return
         if old is not None:
             env = self._merge(name, False, old, env)
-        if env != old:
+        if env is not old:
             self._entries[name] = env
             self._queue(name)
 
@@ -193,35 +200,48 @@ class Program:
             envs += [solution.before[node] for node in nodes if node in solution.before]
         return reduce(joined, (env[key] for env in envs)) if envs and all(key in env for env in envs) else None
 
-    def _leave(self, name: str, solution: Solution) -> None:
+    def _leave(self, name: str, returned: Env | None) -> None:
         old = self._summaries[name]
-        env = _written(solution.returned, old)
+        env = _left(returned, old)
         if env is None or old.env is None:
             env = old.env if env is None else env
-        elif env != old.env:
+        elif not _is_same(env, old.env):
             env = self._merge(name, True, old.env, env)
-        if env != old.env:
+        else:
+            env = old.env
+        if env is not old.env:
             self._summaries[name] = old._replace(env=env)
             for caller in self._callers[name]:
                 if caller in self._entries:
                     self._queue(caller)
 
     def _merge(self, name: str, leaving: bool, old: Env, new: Env) -> Env:
-        found = join(old, new)
-        if found == old:
+        found = again(join, old, new)
+        if _is_same(found, old):
             return old
         self._grown[name, leaving] += 1
-        return widen(old, new) if self._grown[name, leaving] > _PATIENCE else found
+        return again(widen, old, new) if self._grown[name, leaving] > _PATIENCE else found
 
     def _queue(self, name: str) -> None:
         self._waiting.add(name)
 
 
-def _written(env: Env | None, summary: Summary) -> Env | None:
+def _left(env: Env | None, summary: Summary) -> Env | None:
     """Of what a routine returns with, what it may have set."""
-    if env is None or summary.written is None:
-        return env
-    return {key: value for key, value in env.items() if key in summary.written}
+    return env if env is None or summary.written is None else again(_among, env, summary.written)
+
+
+def _among(env: Env, keys: frozenset[Key]) -> Env:
+    return {key: value for key, value in env.items() if key in keys}
+
+
+def _with_unset(env: Env, keys: frozenset[Key]) -> Env:
+    return {**env, **unset(keys, True)}
+
+
+def _is_same(one: Env, two: Env) -> bool:
+    """Whether two hold the same: those of a program that was edited elsewhere are mostly one object."""
+    return one is two or one == two
 
 
 def _at(routine: Routine, file: str, row: int) -> list[int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from deburr.values.graph import Summary
@@ -52,10 +53,12 @@ def _spread(reached: dict[str, frozenset[Key] | None], graphs: Mapping[str, Grap
         old = found = reached[name]
         for callee in graphs[name].callees:
             found = _both(found, reached.get(callee))
-        if found != old:
+        if found is not old:
             reached[name], changed = found, True
     return changed
 
 
+@lru_cache(maxsize=4_096)
 def _both(one: frozenset[Key] | None, two: frozenset[Key] | None) -> frozenset[Key] | None:
+    """All of both: the first itself where it has them, and the same object whenever the same is asked."""
     return None if one is None or two is None else one if two <= one else one | two

@@ -106,10 +106,14 @@ def before_computing(word: Word, env: Env) -> Env:
     return {**without(env, END), RETURNED: first}
 
 
-def _put(env: Env, key: Key, value: Value) -> Env:
-    found = {**env, key: value}
+def _put(env: Env, key: Key, value: Value, label: Shown | None = None) -> Env:
+    """The values with another one; what was output of it before, under ``label``, is no more what it would print."""
+    found = env.copy()
+    found[key] = value
     if value == ANY:
         del found[key]
+    if label in found:
+        del found[label]
     return found
 
 
@@ -132,7 +136,7 @@ def _eval(item: Item, node: Node, expressions: Expressions, words: Vocabulary) -
             return without(env, label)
         old = env.get(key)
         same = old == found and (found.exact or len(found.texts) == 1)
-        return env if same else _put(without(env, label), key, found)
+        return env if same else _put(env, key, found, label)
 
     return Outcome(put, sets)
 

@@ -17,11 +17,15 @@ ENDED, CALL_LEFT, LEFT = 0.0, 1.0, 2.0
 """How a section is over: at its end, by `#EXITC`, by `#EXIT`."""
 
 
-@dataclass(frozen=True, slots=True)
-class Shown(Telling):
+class _Said(NamedTuple):
+    name: str = ""
+    of: str = "output"
+
+
+class Shown(_Said, Telling):
     """Whether what a word would print is what was output of it last: a key beside the words. Without a name it stands for all of them."""
 
-    name: str = ""
+    __slots__ = ()
 
     def told(self, value: Value) -> str:
         """What became of it, as part of a chain of reasons."""
@@ -117,8 +121,13 @@ class Vocabulary:
 
 
 def without(env: Env, *keys: Key) -> Env:
-    """The values without those of some keys."""
-    return {key: value for key, value in env.items() if key not in keys}
+    """The values without those of some keys; themselves where they have none of them."""
+    if env.keys().isdisjoint(keys):
+        return env
+    found = env.copy()
+    for key in keys:
+        found.pop(key, None)
+    return found
 
 
 def unshown(env: Env) -> Env:
