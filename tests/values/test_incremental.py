@@ -30,6 +30,7 @@ Source = tuple[str, dict[str, str], str]
 EDITS = 5
 PROGRAMS = 25
 KEPT = (
+    "deburr.values.again._kept",
     "deburr.values.ledger._kept",
     "deburr.values.rs274.split._graphs",
     "deburr.values.z32.split._graphs",
