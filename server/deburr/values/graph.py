@@ -76,6 +76,10 @@ class Calls(Protocol):
         """All calls come once more, now with what is really passed: what came before was a guess."""
 
 
+def silent() -> None:
+    """The remark of a node that never has one."""
+
+
 class Dead(NamedTuple):
     """A way that a place ought to take now and then: where it leads, and what is said, by which rule, if no values ever go there.
 
@@ -108,7 +112,7 @@ class Node(NamedTuple):
     doubtful: Callable[[], bool] = bool
     callee: str | None = None
     calls: bool = False
-    remark: Callable[[], Proof | None] = lambda: None
+    remark: Callable[[], Proof | None] = silent
     dead: tuple[Dead, ...] = ()
     part: int = 0
 
@@ -184,7 +188,7 @@ def joined_all(envs: Iterable[Env]) -> Env | None:
     """What holds on all ways; None: there is none."""
     found: Env | None = None
     for env in envs:
-        found = env if found is None else join(found, env)
+        found = env if found is None or found is env else join(found, env)
     return found
 
 

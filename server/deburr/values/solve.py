@@ -4,9 +4,23 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from heapq import heappop, heappush
 
-from deburr.values.graph import RETURN, STOP, Calls, Env, Graph, Head, Key, Proof, join, joined_all, widen
+from deburr.values.graph import (
+    RETURN,
+    STOP,
+    Calls,
+    Env,
+    Flows,
+    Graph,
+    Head,
+    Key,
+    Node,
+    Proof,
+    join,
+    joined_all,
+    silent,
+    widen,
+)
 
 _PATIENCE = 2
 """Rounds in which a loop's values may grow as they like; after that they go to resting places."""
@@ -28,8 +42,8 @@ class Solution:
         self._came: dict[int, dict[int, Env]] = {node: {} for node in (*graph.nodes, RETURN, STOP)}
         self._targets: dict[int, tuple[int, ...]] = {}
         self._rounds: Counter[int] = Counter()
-        self._waiting: list[int] = []
-        self._queued: set[int] = set()
+        self._waiting = bytearray(max(graph.nodes, default=RETURN) + 1)
+        """1 at each node that is to be gone through: the first one is found faster than in any other way."""
         self.before: dict[int, Env] = {}
         self.proofs: dict[int, Proof] = {}
         """What is certain to go wrong at a node that can be reached."""
@@ -83,95 +97,106 @@ class Solution:
         return joined_all(env for source, env in self._came[head].items() if not head <= source <= last)
 
     def _queue(self, node: int) -> None:
-        if node not in self._queued and node in self.graph.nodes:
-            self._queued.add(node)
-            heappush(self._waiting, node)
+        if node >= 0:
+            self._waiting[node] = 1
 
     def _follow(self, last: int, now: Callable[[int], Env | None]) -> Iterator[None]:
         """Go on with all that waits up to a node: the first one first, so that a loop comes to rest before what is behind it."""
-        waiting, queued = self._waiting, self._queued
-        nodes, before = self.graph.nodes, self.before
+        waiting, nodes, heads, before = self._waiting, self.graph.nodes, self.graph.heads, self.before
         done = 0
-        while waiting and waiting[0] <= last:
-            node = heappop(waiting)
-            queued.discard(node)
+        while (node := waiting.find(1, 0, last + 1)) >= 0:
+            waiting[node] = 0
             done += 1
             if done % _PACE == 0 or nodes[node].calls:
                 yield
-            env, old = now(node), before.get(node)
-            if env is old or env == old:
-                continue
-            for target in self._passed(node, env):
-                self._queue(target)
+            env = now(node) if node in heads else joined_all(self._came[node].values())
+            old = before.get(node)
+            if env is not old and env != old:
+                self._pass(node, env)
 
-    def _grown(self, node: int) -> Env | None:
-        """What comes to a node; where a loop comes round, with all that came before, so that it comes to rest."""
-        new = self._met(node)
-        if node not in self.graph.heads or new is None or (old := self.before.get(node)) is None:
+    def _grown(self, head: int) -> Env | None:
+        """What comes to the head of a loop; where it comes round, with all that came before, so that it comes to rest."""
+        new = self._met(head)
+        if new is None or (old := self.before.get(head)) is None:
             return new
-        self._rounds[node] += 1
-        return (widen if self._rounds[node] > _PATIENCE else join)(old, new)
+        self._rounds[head] += 1
+        return (widen if self._rounds[head] > _PATIENCE else join)(old, new)
 
-    def _settled(self, node: int) -> Env | None:
-        """What comes to a node now that nothing grows: a head forgets the resting places that no way leads to."""
-        self._rounds[node] += 1
-        if self._rounds[node] > _BACK:
-            return self.before.get(node)
-        return self._met(node)
+    def _settled(self, head: int) -> Env | None:
+        """What comes to a head now that nothing grows: it forgets the resting places that no way leads to."""
+        self._rounds[head] += 1
+        if self._rounds[head] > _BACK:
+            return self.before.get(head)
+        return self._met(head)
 
-    def _met(self, node: int) -> Env | None:
-        """What comes to a node from all sides. Round a loop nothing comes that is not set in it: it is what it was before."""
-        came, head = self._came[node], self.graph.heads.get(node)
-        if head is None:
-            return joined_all(came.values())
-        outside = self.entering(node)
-        inside = joined_all(env for source, env in came.items() if node <= source <= head.last)
+    def _met(self, head: int) -> Env | None:
+        """What comes to the head of a loop from all sides. Round the loop nothing comes that is not set in it: it is what it was before."""
+        last, sets = self.graph.heads[head]
+        outside = self.entering(head)
+        inside = joined_all(env for source, env in self._came[head].items() if head <= source <= last)
         if outside is None or inside is None:
             return outside
         both = join(outside, inside)
-        return outside if both is outside else _held(outside, both, head.sets)
+        return outside if both is outside else _held(outside, both, sets)
 
-    def _passed(self, node: int, env: Env | None) -> Iterable[int]:
-        """Send values through a node; the nodes for which that changes something."""
-        flows: dict[int, Env] = {}
+    def _pass(self, node: int, env: Env | None) -> None:
+        """Send values through a node. What that changes is gone through next."""
         if env is None:
             del self.before[node]
             self.proofs.pop(node, None)
             self.remarks.pop(node, None)
+            flows: Flows = ()
         else:
             self.before[node] = env
             flows = self._flows(node, env)
+        targets = tuple([target for target, _ in flows])
         old = self._targets.get(node, ())
-        self._targets[node] = tuple(flows)
-        changed = [gone for gone in old if gone not in flows]
-        for gone in changed:
-            del self._came[gone][node]
-        for target, values in flows.items():
+        if targets != old:
+            self._targets[node] = targets
+            for gone in old:
+                if gone not in targets:
+                    del self._came[gone][node]
+                    self._queue(gone)
+        for target, values in flows:
             came = self._came[target]
             known = came.get(node)
             if known is not values and known != values:
                 came[node] = values
-                changed.append(target)
-        return changed
+                if target >= 0:
+                    self._waiting[target] = 1
 
-    def _flows(self, node: int, env: Env) -> dict[int, Env]:
-        found: dict[int, Env] = {}
-        self.proofs.pop(node, None)
+    def _flows(self, node: int, env: Env) -> Flows:
+        """What comes next, to each node once."""
         here = self.graph.nodes[node]
         try:
-            gone = self._forgotten & here.sets if self._forgotten else None
-            for target, values in here.flow(env, self._calls):
-                if gone:
-                    values = {key: value for key, value in values.items() if key not in gone}
-                found[target] = join(found[target], values) if target in found else values
+            flows = here.flow(env, self._calls)
         except Proof as proof:
-            self.proofs[node] = proof
-        if (remark := here.remark()) is not None and node not in self.proofs:
-            self.remarks[node] = remark
+            flows, self.proofs[node] = (), proof
         else:
-            self.remarks.pop(node, None)
-        (self.doubtful.add if here.doubtful() else self.doubtful.discard)(node)
-        return found
+            if node in self.proofs:
+                del self.proofs[node]
+        self._note(node, here)
+        if self._forgotten and (gone := self._forgotten & here.sets):
+            flows = [(to, {key: value for key, value in values.items() if key not in gone}) for to, values in flows]
+        return flows if len(flows) < 2 else _once(flows)
+
+    def _note(self, node: int, here: Node) -> None:
+        """What a node says of itself now that it was gone through."""
+        if here.remark is not silent:
+            if (remark := here.remark()) is not None and node not in self.proofs:
+                self.remarks[node] = remark
+            else:
+                self.remarks.pop(node, None)
+        if here.doubtful is not bool:
+            (self.doubtful.add if here.doubtful() else self.doubtful.discard)(node)
+
+
+def _once(flows: Flows) -> Flows:
+    """Each node once, with what comes there on all ways."""
+    found: dict[int, Env] = {}
+    for target, values in flows:
+        found[target] = join(found[target], values) if target in found else values
+    return tuple(found.items())
 
 
 def _outermost(heads: Mapping[int, Head], end: int) -> list[tuple[list[int], int]]:

@@ -134,4 +134,4 @@ def is_negative(value: Value) -> bool:
 
 def finite(value: Value) -> Value:
     """What is left where a number must stand."""
-    return value._replace(wild=False)
+    return value._replace(wild=False) if value.wild else value

@@ -46,7 +46,7 @@ def finite(value: Value) -> Value:
     """What is left where the control looks whether a result is a number."""
     if value.wild and value.empty:
         raise Refusal("not-finite", "a result that is no finite number")
-    return value._replace(wild=False)
+    return value._replace(wild=False) if value.wild else value
 
 
 def is_lost(*values: Value) -> bool:
