@@ -8,6 +8,8 @@ from collections import Counter
 from collections.abc import Callable
 from random import Random
 
+import pytest
+
 from support.client import PUSHED, Client
 from support.soak import FILES, Seen, Typist, requests
 
@@ -18,6 +20,7 @@ PAUSE = 0.02
 MOST = 0.05
 
 
+@pytest.mark.timeout(600 + 60 * MINUTES)
 def test_every_request_is_answered_and_memory_is_flat(launch: Callable[..., Client]) -> None:
     client = launch()
     client.start(PUSHED)
