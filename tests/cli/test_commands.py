@@ -112,14 +112,6 @@ def test_as_a_module(shell):
     assert (ran.returncode, ran.stdout, ran.stderr) == (0, "", "")
 
 
-def test_a_broken_pipe_is_quiet(shell):
-    shell.write("a.ngc", "G0 X[1/0]\n" * 3000)
-    command = f'"{sys.executable}" -m deburr check a.ngc | head -n 1'
-    ran = subprocess.run(["bash", "-c", command], cwd=shell.folder, capture_output=True, text=True, check=False)
-    assert ran.stderr == ""
-    assert len(ran.stdout.splitlines()) == 1
-
-
 def test_what_check_does_not_load(shell):
     shell.write("a.ngc", FAULTY)
     code = "import sys; from deburr.cli.main import main; main(['check', 'a.ngc']); print(*sorted(sys.modules), file=sys.stderr)"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -15,8 +16,10 @@ from typing import Any
 import pytest
 import yaml
 
+from deburr import __version__
 from support.code import ROOT
 
+WHEEL = f"deburr-{__version__}-py3-none-any.whl"
 FAULTY, CLEAN = "G21 G90 G17\nG0 X[1/0]\nF100\nM2\n", "G21 G90 G17\nF100\nM2\n"
 
 
@@ -104,6 +107,53 @@ def test_the_gitlab_job(action: Action, folder: Path) -> None:
     assert issue["location"]["path"] == "a part/a.ngc"
     assert "<failure" in (folder / reports["junit"]).read_text()
     assert [(folder / path / ".gitignore").exists() for path in job["cache"]["paths"]] == [True]
+
+
+def test_the_gitlab_job_says_what_it_wants(folder: Path) -> None:
+    said = read("forges/gitlab.yml")
+    (line,) = said["deburr"]["before_script"]
+    done = bash(line, folder, {**said["variables"], "PATH": os.environ["PATH"]})
+    assert done.returncode != 0 and "say in variables where pip gets deburr from" in done.stderr
+
+
+def to_copy() -> list[Any]:
+    """The workflows of the page on CI: that for GitHub and that for GitLab."""
+    page = (ROOT / "docs/how-to/ci.md").read_text(encoding="utf-8")
+    return [yaml.safe_load(text) for text in re.findall(r"(?ms)^```yaml\n(.*?)^```$", page)]
+
+
+def test_the_workflow_to_copy(action: Action, folder: Path) -> None:
+    workflow, _ = to_copy()
+    steps = workflow["jobs"]["check"]["steps"]
+    environment = {**workflow["env"], "PATH": f"{action.temp}/deburr/bin:{os.environ['PATH']}"}
+    assert environment["DEBURR_SOURCE"].endswith(f"/{WHEEL}")
+    environment |= {"DEBURR_SOURCE": str(ROOT), "GITHUB_WORKSPACE": str(folder)}
+    install, check = [bash(step["run"], folder, environment) for step in steps if "run" in step]
+    assert (install.returncode, check.returncode) == (0, 1), install.stderr
+    assert check.stdout.startswith("::error title=deburr (rs274.divide-by-zero),file=a part/a.ngc,line=2,")
+    # It comes behind a step that fails, where by default nothing more is run.
+    (upload,) = [step for step in steps if "upload-sarif" in step.get("uses", "")]
+    assert upload["if"] == "success() || failure()" and workflow["permissions"]["security-events"] == "write"
+    assert len(json.loads((folder / upload["with"]["sarif_file"]).read_text())["runs"][0]["results"]) == 1
+    assert [step["uses"].partition("@")[0] for step in steps if "uses" in step] == [
+        "actions/checkout",
+        "actions/setup-python",
+        "github/codeql-action/upload-sarif",
+    ]
+
+
+def test_the_pipeline_to_copy_is_the_job_that_is_included() -> None:
+    _, pipeline = to_copy()
+    included = read("forges/gitlab.yml")
+    assert pipeline["variables"]["DEBURR_SOURCE"].endswith(f"/{WHEEL}")
+    job = included["deburr"]
+    (line,) = job["before_script"]
+    copied = {
+        **job,
+        "before_script": [re.sub(r":\?.*\}", "}", line).replace("${DEBURR_SOURCE}", "$DEBURR_SOURCE")],
+        "script": [job["script"][0].replace("$DEBURR_PATHS", included["variables"]["DEBURR_PATHS"])],
+    }
+    assert pipeline["deburr"] == copied
 
 
 def test_the_container(action: Action, folder: Path, tmp_path_factory: pytest.TempPathFactory) -> None:

@@ -1,10 +1,13 @@
 """`deburr plot`: what is written where, in which format, and what is refused."""
 
+import re
 import struct
 import sys
+import tomllib
 
 import pytest
 
+from support.code import ROOT
 from support.plots import data_of, rows, unpacked, unpacked_text
 
 LOOP = "G21 G90 F100\n#<n> = 0\no1 while [#<n> LT 3]\n  G1 X[#<n> * 10 + 1]\n  #<n> = [#<n> + 1]\no1 endwhile\nM2\n"
@@ -47,7 +50,7 @@ def test_without_the_extra_a_png_is_refused_before_anything_is_run(shell, monkey
     shell.write("loop.ngc", LOOP)
     monkeypatch.setitem(sys.modules, "resvg_py", None)
     code, _, err = shell.run("plot", "loop.ngc", "-o", "a.png")
-    assert code == 2 and "pip install 'deburr[png]'" in err
+    assert code == 2 and "pip install 'resvg-py>=0.5,<0.6'" in err
     assert not (shell.folder / "a.png").exists()
 
 
@@ -131,3 +134,10 @@ def test_a_name_cannot_break_out_of_the_page(shell):
     shell.write(name, LOOP)
     assert shell.run("plot", name, "-o", "a.html")[0] == 0
     assert "<script>alert" not in (shell.folder / "a.html").read_text()
+
+
+def test_what_is_said_to_install_is_what_the_extras_want():
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
+    said = [(ROOT / "server/deburr/cli" / name).read_text() for name in ("plot.py", "watch.py")]
+    for text, extra in zip(said, ("png", "watch")):
+        assert re.findall(r"pip install '([^']*)'", text) == extras[extra]

@@ -72,10 +72,18 @@ def test_each_change_is_checked(watched: Watched, tmp_path: Path) -> None:
     assert watched.process.wait(PATIENCE) == 130
 
 
+def test_it_ends_when_its_reader_has_gone(watched: Watched, tmp_path: Path) -> None:
+    watched.until(f"watching {tmp_path.as_posix()}")
+    assert watched.process.stdout is not None
+    watched.process.stdout.close()
+    (tmp_path / "a.ngc").write_text(FAULTY)
+    assert watched.process.wait(PATIENCE) == 0
+
+
 def test_without_the_library_the_way_out_is_said(shell, monkeypatch):
     shell.write("a.ngc", CLEAN)
     monkeypatch.setitem(sys.modules, "watchfiles", None)
-    said = "deburr: error: --watch needs the library watchfiles: pip install 'deburr[watch]'\n"
+    said = "deburr: error: --watch needs the library watchfiles: pip install 'watchfiles>=1.0'\n"
     assert shell.run("check", "--watch") == (2, "", said)
 
 

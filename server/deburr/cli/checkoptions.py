@@ -102,7 +102,7 @@ def _add_archives(found: argparse.ArgumentParser) -> None:
     found.add_argument(
         "--watch",
         action="store_true",
-        help="check again whenever a file changes, until interrupted (needs deburr[watch])",
+        help="check again whenever a file changes, until interrupted (needs the library watchfiles)",
     )
     found.add_argument(
         "-j", "--jobs", type=_jobs, metavar="N", help="processes (default: as many as cores, if there is work for them)"

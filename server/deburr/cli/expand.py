@@ -80,8 +80,6 @@ def run(arguments: argparse.Namespace) -> int:
     except ConfigError as error:
         return unable(error.messages)
     except OSError as error:
-        if isinstance(error, BrokenPipeError):
-            raise
         return unable([f"{error.filename or 'the flat program'}: {error.strerror}"])
 
 

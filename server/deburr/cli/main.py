@@ -9,6 +9,7 @@ from importlib import import_module
 from typing import NoReturn
 
 from deburr import __version__
+from deburr.cli import streams
 
 COMMANDS = {
     "check": "lint files, folders or standard input",
@@ -27,9 +28,18 @@ INTERRUPTED = 130
 
 
 def run() -> NoReturn:
-    """Run the command of this process and end it at once: to take apart what a check has built would be a seventh of a small check."""
-    code = main()
-    sys.stderr.flush()
+    """Run the command of this process and end it at once: to take apart what a check has built would be a seventh of a small check.
+
+    A reader who goes early changes no exit code: it is still that of what was found.
+    """
+    streams.prepare()
+    try:
+        code = main()
+    except SystemExit as leaving:
+        code = int(leaving.code or 0)
+    if lost := streams.failure():
+        print(f"deburr: error: {lost}", file=sys.stderr, flush=True)
+        code = UNABLE
     os._exit(code)
 
 
@@ -46,10 +56,6 @@ def main(argv: Sequence[str] | None = None) -> int:
         return code
     except KeyboardInterrupt:
         return INTERRUPTED
-    except BrokenPipeError:
-        # Whoever read us has had enough; nothing may be said at exit about what is left in the buffer.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
 
 
 def _run(arguments: list[str]) -> int:

@@ -57,8 +57,6 @@ def written(result: Result, outputs: Sequence[Output], *, statistics: bool = Fal
         for output in outputs:
             _write(result, output, statistics, quiet)
     except OSError as error:
-        if isinstance(error, BrokenPipeError):
-            raise
         return f"{error.filename or 'standard output'}: {error.strerror}"
     return ""
 

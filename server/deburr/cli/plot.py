@@ -87,8 +87,6 @@ def run(arguments: argparse.Namespace) -> int:
     except ConfigError as error:
         return unable(error.messages)
     except OSError as error:
-        if isinstance(error, BrokenPipeError):
-            raise
         return unable([f"{error.filename or 'the picture'}: {error.strerror}"])
 
 
@@ -141,7 +139,7 @@ def _painter() -> Callable[[str], bytes]:
     try:
         import resvg_py
     except ImportError:
-        raise ConfigError("PNG needs resvg_py: pip install 'deburr[png]'; -o FILE.svg and -o FILE.html need nothing") from None  # fmt: skip
+        raise ConfigError("PNG needs resvg_py: pip install 'resvg-py>=0.5,<0.6'; -o FILE.svg and -o FILE.html need nothing") from None  # fmt: skip
     return lambda text: bytes(resvg_py.svg_to_bytes(svg_string=text, zoom=_WIDER))
 
 

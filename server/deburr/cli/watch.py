@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from deburr import paths
 from deburr.cli.cache import FOLDER
 from deburr.cli.common import complain, unable
+from deburr.cli.streams import gone
 from deburr.config import ConfigError
 
 _PAUSE = 200
@@ -18,7 +19,7 @@ def watched(arguments: argparse.Namespace, check: Callable[[argparse.Namespace],
     try:
         from watchfiles import DefaultFilter, watch
     except ImportError:
-        return unable(["--watch needs the library watchfiles: pip install 'deburr[watch]'"])
+        return unable(["--watch needs the library watchfiles: pip install 'watchfiles>=1.0'"])
     own = tuple(_own(arguments))
 
     class Programs(DefaultFilter):
@@ -36,6 +37,8 @@ def watched(arguments: argparse.Namespace, check: Callable[[argparse.Namespace],
     _once(arguments, check)
     complain(f"watching {', '.join(folders)}; Ctrl-C ends", "")
     for changed in changes:
+        if gone(sys.stdout):
+            break
         if changed:
             _once(arguments, check)
             complain("watching again", "")

@@ -44,13 +44,21 @@ def met_on(stream: Stream, frames: Frames) -> Met | None:
         bodies = frames.feed(data)
         for body in bodies:
             said = answered(body)
-            if said.reply:
-                stream.write(said.reply)
+            if said.reply and not _sent(stream, said.reply):
+                return None
             if said.client is not None:
                 return Met(said.client, tuple(bodies))
             if said.over:
                 return None
     return None
+
+
+def _sent(stream: Stream, reply: bytes) -> bool:
+    try:
+        stream.write(reply)
+    except BrokenPipeError:
+        return False
+    return True
 
 
 class Answer(NamedTuple):

@@ -74,8 +74,11 @@ class Stdio:
     def write(self, data: bytes) -> None:
         """All of the bytes."""
         rest = memoryview(data)
-        while rest:
-            rest = rest[os.write(self._out, rest) :]
+        try:
+            while rest:
+                rest = rest[os.write(self._out, rest) :]
+        except OSError as error:
+            raise BrokenPipeError from error
 
     def close(self) -> None:
         """Close standard output."""
