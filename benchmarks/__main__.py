@@ -36,8 +36,8 @@ Figures of one run of `python -m benchmarks --write docs/performance.md`, measur
 machines give other times; the ratios stay. Nothing in the tests asserts a time: they assert the work that is done.
 
 - *CAM* is a generated program of {cam:,} lines: 97.5 % numbered moves, the rest comments, tool changes, O-words and
-  expressions. *Macros* is a generated library of {macro:,} lines with thousands of different lines: named parameters,
-  expressions, branches, loops, probing. Both are clean, and their seeds are fixed (`benchmarks/corpus.py`).
+  expressions. *Macros* is a generated program of {macro:,} lines with thousands of different lines: subprograms of named parameters,
+  expressions, branches, loops and probing, and the calls of all of them. Both are clean, and their seeds are fixed (`benchmarks/corpus.py`).
 - *Opening* counts from the text to the answer, in a fresh process whose grammar tables and rules are loaded, best of {repeats}.
 - *Typing* counts from the edit to the findings of the edited line, all faults of structure, the partners of the line's
   brackets and the modal state there; the median over {places} random places in parts of the file not edited before.

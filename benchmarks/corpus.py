@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import count, islice
+from itertools import chain, count, islice
 from random import Random
 from typing import TYPE_CHECKING
 
@@ -23,8 +23,16 @@ def cam(lines: int = CAM_LINES) -> str:
 
 
 def macro(lines: int = MACRO_LINES) -> str:
-    """What a person writes: subprograms full of named parameters, expressions, branches, loops and probing."""
-    return _text(_macro(Random(SEED)), _MACRO_FRAME, lines)
+    """What a person writes: subprograms full of named parameters, expressions, branches, loops and probing, and behind them the program that calls them all."""
+    head, foot = _MACRO_FRAME
+    subs, calls, room = list[list[str]](), list[list[str]](), lines - len(head) - len(foot)
+    for sub, call in _macro(Random(SEED)):
+        room -= len(sub) + len(call)
+        if room < 0:
+            break
+        subs.append(sub)
+        calls.append(call)
+    return _text(chain(subs, calls), _MACRO_FRAME, lines)
 
 
 def mixed(lines: int = MIXED_LINES, share: float = 0.1) -> str:
@@ -127,18 +135,21 @@ def _number(random: Random) -> str:
     return f"{random.uniform(-250, 250):.4f}"
 
 
-_MACRO_FRAME = (["(A LIBRARY OF CYCLES)", "G21 G90 G17"], ["F100", "M2"])
+_MACRO_FRAME = (["(CYCLES OF A SHOP)", "G21 G90 G17 G94", "F100"], ["M2"])
 _NOUNS = ["depth", "width", "feed", "angle", "radius", "step", "pitch", "stock", "margin", "pocket", "hole", "count"]
 _SIDES = ["first", "last", "inner", "outer", "upper", "lower", "left", "right", "safe", "rough", "fine", "total"]
 _CALLS = ["SIN", "COS", "TAN", "ABS", "FIX", "FUP", "ROUND", "SQRT"]
 
 
-def _macro(random: Random) -> Iterator[list[str]]:
+def _macro(random: Random) -> Iterator[tuple[list[str], list[str]]]:
+    """Subprograms, each with what the program does to call it."""
     library = [_expression(random, 2) for _ in range(30)]
     for number in count(1):
         name = f"{random.choice(_SIDES)}_{random.choice(_NOUNS)}_{number}"
         names = [f"#<{noun}>" for noun in random.sample(_NOUNS, 4)]
-        yield [f"o<{name}> sub ({' '.join(name.split('_'))})", *_body(random, names, library), f"o<{name}> endsub", ""]
+        sub = [f"o<{name}> sub ({' '.join(name.split('_'))})", *_body(random, names, library), f"o<{name}> endsub", ""]
+        values = " ".join(f"[{random.randint(1, 90)}]" for _ in names)
+        yield sub, [f"G0 X{random.randint(0, 250)} Y{random.randint(0, 250)} Z50", f"o<{name}> call {values}"]
 
 
 def _body(random: Random, names: list[str], library: list[str]) -> Iterator[str]:
@@ -157,11 +168,12 @@ def _statement(
     inner = indent + "  "
     label = next(labels) if kind > 6 else 0
     if kind <= 2:
-        yield f"{indent}{one} = {value}" + (
+        # What is calculated in a loop from what it was before must stay within bounds.
+        yield f"{indent}{one} = [{value} MOD {random.randint(2, 9)}00]" + (
             f" ({random.choice(_SIDES)} {random.choice(_NOUNS)})" if random.random() < 0.3 else ""
         )
     elif kind == 3:
-        yield f"{indent}G1 X{value} Y[{other}*2] F[{one}+100]"
+        yield f"{indent}G1 X{value} Y[{other}*2] F[ABS[{one}]+100]"
     elif kind == 4:
         yield f"{indent}G0 X{one} Z[{other}+{random.randint(1, 20)}]"
     elif kind == 5:
@@ -179,9 +191,11 @@ def _statement(
         yield from _statement(random, names, library, labels, inner)
         yield from (f"{indent}o{label} else", f"{inner}{one} = 0", f"{indent}o{label} endif")
     elif kind == 8:
-        yield f"{indent}o{label} while [{one} LT {random.randint(2, 90)}]"
+        # What it counts with is its own, so that it ends whatever stands in it.
+        passes = f"#<pass_{label}>"
+        yield from (f"{indent}{passes} = 0", f"{indent}o{label} while [{passes} LT {random.randint(2, 20)}]")
         yield from _statement(random, names, library, labels, inner)
-        yield from (f"{inner}{one} = [{one}+1]", f"{indent}o{label} endwhile")
+        yield from (f"{inner}{passes} = [{passes}+1]", f"{indent}o{label} endwhile")
     else:
         yield f"{indent}o{label} repeat [{random.randint(2, 20)}]"
         yield from _statement(random, names, library, labels, inner)
