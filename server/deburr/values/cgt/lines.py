@@ -7,13 +7,14 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.templates.items import declarations_of
-from deburr.values.kept import LINES, line_of
+from deburr.values.kept import LINES
 from deburr_grammar.dialects.cgt.outline import section_name
+from deburr_grammar.line import LineNode
 
 if TYPE_CHECKING:
     from deburr_grammar.dialect import Reading
     from deburr_grammar.document import Document, Piece
-    from deburr_grammar.line import LineNode, Shape
+    from deburr_grammar.line import Shape
 
 _ASKING = frozenset(("WORD", "lookup", "repeat"))
 _KEY = "cgt values"
@@ -29,28 +30,42 @@ class Unread(Exception):
 
 
 class Names(NamedTuple):
-    """What a line names: words that it declares, each with the command that does so, words that `#EVAL` sets, sections that it calls."""
+    """What lines name: words that they declare, each with the command that does so, words that `#EVAL` sets, sections that they call."""
 
     declares: tuple[tuple[str, str], ...] = ()
     sets: tuple[str, ...] = ()
     calls: tuple[str, ...] = ()
 
 
-class Taken(NamedTuple):
-    """A line that takes part. ``row``: its place in the template; ``names``: what it names, whatever that means."""
-
-    row: int
-    node: LineNode
-    names: Names
-
-
 class Part(NamedTuple):
-    """A section's lines that take part; ``row`` is its header's, ``reading`` is how they are read."""
+    """A section's lines that take part. ``row``: its header's in the template; ``reading``: how they are read.
+
+    ``lines`` are the rows, counted from the header, each with what it says; ``nodes`` what they were read as; ``names`` what they name, whatever that means.
+    """
 
     name: str
     row: int
-    reading: str
-    lines: list[Taken]
+    reading: str = "template"
+    lines: tuple[tuple[int, str], ...] = ()
+    nodes: tuple[LineNode, ...] = ()
+    names: Names = Names()
+
+    def behind(self, other: Part) -> Part:
+        """With the lines that stand before it, from the header on, where that stands in an earlier piece."""
+        lines = tuple((self.row - other.row + row, text) for row, text in self.lines)
+        names = Names(*(one + two for one, two in zip(other.names, self.names)))
+        reading = other.reading if other.lines else self.reading
+        return other._replace(reading=reading, lines=other.lines + lines, nodes=other.nodes + self.nodes, names=names)
+
+
+class _Piece(NamedTuple):
+    """The parts of sections in one piece, with rows that count from its first line. What stands before its first header is a part without a name."""
+
+    parts: tuple[Part, ...]
+    count: int
+    """Lines that take part, with the headers."""
+    unread: bool
+    """Whether one of them cannot be read."""
 
 
 _NONE = Names()
@@ -66,35 +81,76 @@ def sections(document: Document) -> Generator[None, None, list[Part]]:
     found: list[Part] = []
     count = 0
     for piece in document.holding(_KEY, _marks, _LINES):
-        lines = _of_piece(document, piece)
-        count += len(lines)
-        if count > _MOST:
+        known = _of_piece(document, piece)
+        count += known.count
+        if count > _MOST or known.unread:
             raise Unread
-        for index, node, names in lines:
-            if node.problems:
-                raise Unread
-            if node.reading.name == "header":
-                name, _ = section_name(node)
-                if name:
-                    found.append(Part(name, piece.line + index, "template", []))
+        for part in known.parts:
+            here = part._replace(row=piece.line + part.row)
+            if part.name:
+                found.append(here)
             elif found:
-                if not found[-1].lines:
-                    found[-1] = found[-1]._replace(reading=node.reading.name)
-                found[-1].lines.append(Taken(piece.line + index, node, names))
+                found[-1] = here.behind(found[-1])
         yield
     return found
 
 
-def _of_piece(document: Document, piece: Piece) -> list[tuple[int, LineNode, Names]]:
+def _of_piece(document: Document, piece: Piece) -> _Piece:
     key = ("cgt lines that take part", document.key(piece))
-    found: list[tuple[int, LineNode, Names]] | None = piece.chunk.memo.get(key)
+    found: _Piece | None = piece.chunk.memo.get(key)
     if found is None:
-        nodes = ((at, line_of(piece, at)) for at in _wanted(piece))
-        found = piece.chunk.memo[key] = [(at, node, _names(node)) for at, node in nodes]
+        found = piece.chunk.memo[key] = _read(piece)
     return found
 
 
+def _read(piece: Piece) -> _Piece:
+    name, row, count, unread = "", 0, 0, False
+    lines: list[tuple[int, _Line]] = []
+    parts: list[Part] = []
+    for at, reading, shape in _wanted(piece):
+        line = _line(piece.chunk.line(at), reading, shape)
+        count += 1
+        unread = unread or line.unread
+        if not line.header:
+            lines.append((at, line))
+        if line.section:
+            parts += _part(name, row, lines)
+            name, row, lines = line.section, at, []
+    parts += _part(name, row, lines)
+    return _Piece(tuple(parts), count, unread)
+
+
+def _part(name: str, row: int, lines: list[tuple[int, _Line]]) -> Iterator[Part]:
+    """A section's lines in a piece, if there are any."""
+    if lines:
+        names = Names(
+            *(tuple(dict.fromkeys(each for _, line in lines for each in line.names[at])) for at in range(len(_NONE)))
+        )
+        nodes = tuple(line.node for _, line in lines)
+        said = tuple((at - row, line.node.text) for at, line in lines)
+        yield Part(name, row, nodes[0].reading.name, said, nodes, names)
+    elif name:
+        yield Part(name, row)
+
+
+class _Line(NamedTuple):
+    """A line that takes part: what it was read as, and what it names; of a header the section that it begins, if any."""
+
+    node: LineNode
+    names: Names
+    header: bool
+    section: str
+    unread: bool
+
+
 @lru_cache(maxsize=LINES)
+def _line(text: str, reading: Reading, shape: Shape) -> _Line:
+    """A line by what it says: one that says the same as before is the same, so that what hangs on it need not be found again."""
+    node = LineNode(text, reading, shape)
+    header = reading.name == "header"
+    return _Line(node, _names(node), header, section_name(node)[0] if header else "", bool(node.problems))
+
+
 def _names(node: LineNode) -> Names:
     if node.kinds.isdisjoint(_NAMING):
         return _NONE
@@ -121,10 +177,10 @@ def _marks(piece: Piece) -> frozenset[str]:
     return frozenset(found)
 
 
-def _wanted(piece: Piece) -> Iterator[int]:
+def _wanted(piece: Piece) -> Iterator[tuple[int, Reading, Shape]]:
     for reading, first, shapes in piece.read():
         wanted = {shape for shape in set(shapes) if _takes_part(shape, reading)}
-        yield from (at for at, shape in enumerate(shapes, first) if shape in wanted) if wanted else ()
+        yield from ((at, reading, shape) for at, shape in enumerate(shapes, first) if shape in wanted)
 
 
 def _takes_part(shape: Shape, reading: Reading) -> bool:

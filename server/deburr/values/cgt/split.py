@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from deburr.values.graph import Env
 
 _VOCABULARIES = 8
-_kept: Kept[Kept[Section]] = Kept(_VOCABULARIES)
+_kept: Kept[tuple[Vocabulary, Kept[Section]]] = Kept(_VOCABULARIES)
 """The graphs of sections, by what words mean."""
 
 
@@ -37,8 +37,7 @@ def routines_of(analysis: Analysis) -> Generator[None, None, Mapping[str, Routin
         parts = _first((yield from sections(document)))
         run = {name: part for name, part in parts.items() if part.reading != "table"}
         machine = machine_in(beside(analysis.settings, analysis.host, "machine"))
-        words = _vocabulary(parts, run, machine, analysis.inputs.define)
-        graphs = _graphs(words)
+        words, graphs = _graphs(_vocabulary(parts, run, machine, analysis.inputs.define))
         graphs.fit(sum(len(part.lines) for part in run.values()))
         built: dict[str, Section] = {}
         for name, part in run.items():
@@ -56,10 +55,10 @@ def routines_of(analysis: Analysis) -> Generator[None, None, Mapping[str, Routin
     return {NAME: Routine(NAME, (-1,), graph, entry), **found}
 
 
-def _graphs(words: Vocabulary) -> Kept[Section]:
-    """Where the graphs of sections are kept in which words mean this."""
+def _graphs(words: Vocabulary) -> tuple[Vocabulary, Kept[Section]]:
+    """The same words as they were last met, and where the graphs of sections are kept in which they mean this."""
     found = _kept.get(words)
-    return _kept.add(words, Kept(LINES // _VOCABULARIES), 1) if found is None else found
+    return _kept.add(words, (words, Kept(LINES // _VOCABULARIES)), 1) if found is None else found
 
 
 def _first(parts: Sequence[Part]) -> dict[str, Part]:
@@ -74,11 +73,11 @@ def _vocabulary(
     parts: Mapping[str, Part], run: Mapping[str, Part], machine: Machine, given: Mapping[str, str]
 ) -> Vocabulary:
     declared: dict[str, str] = {}
-    for name, command in (each for part in run.values() for line in part.lines for each in line.names.declares):
+    for name, command in (each for part in run.values() for each in part.names.declares):
         declared.setdefault(name, command)
     tables = {name: len(rows) for name, rows in machine.tables.items()}
     tables |= {
-        name: sum(1 for line in part.lines for _ in rows_of(line.row, line.node))
+        name: sum(1 for node in part.nodes for _ in rows_of(0, node))
         for name, part in parts.items()
         if part.reading == "table"
     }
@@ -98,7 +97,7 @@ def _quiet(run: Mapping[str, Part]) -> frozenset[str]:
     found = set(waiting)
     while waiting:
         part = run.get(waiting.pop())
-        called = {name for line in part.lines for name in line.names.calls} if part is not None else set()
+        called = set(part.names.calls) if part is not None else set()
         waiting += called - found
         found |= called
     return frozenset(found)
@@ -106,7 +105,7 @@ def _quiet(run: Mapping[str, Part]) -> frozenset[str]:
 
 def _targets(parts: Iterable[Part], words: Vocabulary) -> frozenset[str]:
     """The words of the template that it sets itself. Others are given from outside, so that nothing is known of them."""
-    said = {name for part in parts for line in part.lines for name in line.names.sets}
+    said = {name for part in parts for name in part.names.sets}
     found = (words.find(name) for name in said)
     return frozenset(
         word.name for word in found if word is not None and words.is_mine(word.name) and not words.computes(word)
@@ -125,18 +124,18 @@ def _path(analysis: Analysis) -> Path:
 
 def _section(part: Part, words: Vocabulary, kept: Kept[Section]) -> Generator[None, None, Section]:
     """A section's flow, kept by its lines."""
-    lines = tuple((line.row - part.row, line.node.text) for line in part.lines)
     quiet = part.name in words.quiet
-    key = (part.name, quiet, lines)
+    key = (part.name, quiet, part.lines)
     found = kept.get(key)
     if found is None:
         body = Body("section")
         bodies = Bodies(body)
-        for line in paced(part.lines):
+        for line in paced(zip(part.lines, part.nodes)):
             if line is None:
                 yield
             else:
-                bodies.add(items_of(line.row - part.row, line.node, words.symbols))
-        found = yield from Builder(words, dict(lines), quiet).section(body, Span(0, 1 + len(part.name)))
-        kept.add(key, found, len(lines))
+                (row, _), node = line
+                bodies.add(items_of(row, node, words.symbols))
+        found = yield from Builder(words, dict(part.lines), quiet).section(body, Span(0, 1 + len(part.name)))
+        kept.add(key, found, len(part.lines))
     return found
