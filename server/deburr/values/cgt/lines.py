@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator
-from functools import lru_cache
+from functools import lru_cache, reduce
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.templates.items import declarations_of
@@ -36,6 +36,10 @@ class Names(NamedTuple):
     sets: tuple[str, ...] = ()
     calls: tuple[str, ...] = ()
 
+    def and_of(self, other: Names) -> Names:
+        """What both name."""
+        return Names(self.declares + other.declares, self.sets + other.sets, self.calls + other.calls)
+
 
 class Part(NamedTuple):
     """A section's lines that take part. ``row``: its header's in the template; ``reading``: how they are read.
@@ -53,8 +57,7 @@ class Part(NamedTuple):
     def behind(self, other: Part) -> Part:
         """With the lines that stand before it, from the header on, where that stands in an earlier piece."""
         lines = tuple((self.row - other.row + row, text) for row, text in self.lines)
-        names = Names(*(one + two for one, two in zip(other.names, self.names)))
-        reading = other.reading if other.lines else self.reading
+        reading, names = other.reading if other.lines else self.reading, other.names.and_of(self.names)
         return other._replace(reading=reading, lines=other.lines + lines, nodes=other.nodes + self.nodes, names=names)
 
 
@@ -62,8 +65,8 @@ class _Piece(NamedTuple):
     """The parts of sections in one piece, with rows that count from its first line. What stands before its first header is a part without a name."""
 
     parts: tuple[Part, ...]
-    count: int
-    """Lines that take part, with the headers."""
+    taken: int
+    """How many lines take part, with the headers."""
     unread: bool
     """Whether one of them cannot be read."""
 
@@ -82,7 +85,7 @@ def sections(document: Document) -> Generator[None, None, list[Part]]:
     count = 0
     for piece in document.holding(_KEY, _marks, _LINES):
         known = _of_piece(document, piece)
-        count += known.count
+        count += known.taken
         if count > _MOST or known.unread:
             raise Unread
         for part in known.parts:
@@ -123,9 +126,8 @@ def _read(piece: Piece) -> _Piece:
 def _part(name: str, row: int, lines: list[tuple[int, _Line]]) -> Iterator[Part]:
     """A section's lines in a piece, if there are any."""
     if lines:
-        names = Names(
-            *(tuple(dict.fromkeys(each for _, line in lines for each in line.names[at])) for at in range(len(_NONE)))
-        )
+        named = dict.fromkeys(line.names for _, line in lines)
+        names = reduce(Names.and_of, named)
         nodes = tuple(line.node for _, line in lines)
         said = tuple((at - row, line.node.text) for at, line in lines)
         yield Part(name, row, nodes[0].reading.name, said, nodes, names)
