@@ -40,8 +40,7 @@ LOST = Node("lost", 0, 0, ())
 """Marks a bracket behind a syntax fault: it counts, but what it is cannot be said."""
 
 
-@dataclass(frozen=True, slots=True)
-class Item:
+class Item(NamedTuple):
     """A part of a template line. ``kind``: text, word, open, close, operator, else, exit, onblk, comment, or the name of a command's node."""
 
     kind: str

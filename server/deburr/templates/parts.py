@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.templates.items import Body, Item
@@ -92,7 +91,7 @@ def _executed(parts: Sequence[Item | Body], at: int) -> Item | None:
         before = _on_line(parts[at - 1], item.line) if at else None
         if before is None:
             return None
-        return item if isinstance(before, Item) and before.kind in _OUTPUT else replace(item, kind=TRAILING)
+        return item if isinstance(before, Item) and before.kind in _OUTPUT else item._replace(kind=TRAILING)
     return item
 
 

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.steps import MANY
 from deburr.templates.items import Body, Item
 from deburr.templates.parts import Branch, by_line, first_line, last_line, parts_of
 from deburr.templates.template import target
-from deburr.templates.types import is_plain
-from deburr.values.cgt.brackets import Changed, tested
-from deburr.values.cgt.conditions import Test, Ways, tests
+from deburr.values.cgt.brackets import tested
+from deburr.values.cgt.commands import Asked
+from deburr.values.cgt.conditions import Test, Ways
 from deburr.values.cgt.expressions import Expressions
 from deburr.values.cgt.lines import Unread
-from deburr.values.cgt.outcomes import before_computing, computed, merged, outcome, row_checked, shown, tracked
+from deburr.values.cgt.outcomes import before_computing, computed, merged, row_checked, shown, tracked
 from deburr.values.cgt.ways import Label, Way, counts, extent, said_of
 from deburr.values.cgt.words import ALL, CALL_LEFT, END, ENDED, LEFT, RETURNED, Shown, State, without
 from deburr.values.domain import ANY, exactly
@@ -25,7 +26,8 @@ from deburr_grammar.text import Span
 if TYPE_CHECKING:
     from deburr.templates.parts import Part
     from deburr.templates.symbols import Word
-    from deburr.values.cgt.words import Vocabulary
+    from deburr.values.cgt.commands import Commands
+    from deburr.values.cgt.outcomes import Outcome
 
 _LOST = frozenset(("head", "else", "repeat"))
 _DEEPEST = 100
@@ -42,17 +44,20 @@ class Section(NamedTuple):
 class Builder:
     """Builds one section's graph."""
 
-    def __init__(self, words: Vocabulary, texts: Mapping[int, str], quiet: bool) -> None:
-        self._words = words
+    def __init__(self, commands: Commands, texts: Mapping[int, str], quiet: bool) -> None:
+        self._commands = commands
+        self._words = commands.words
         self._texts = texts
         self._quiet = quiet
         self._nodes: list[Node] = []
+        self._rows: dict[int, int] = {}
+        """The rows that have nodes, in order, each with its place among them."""
         self._left = 0
         """How many nodes there were when the work was last left."""
         self._ways: dict[int, tuple[Way, ...]] = {}
         self._loops: list[tuple[int, int]] = []
         self._callees: set[str] = set()
-        self._settings: list[tuple[str, bool]] = []
+        self._settings: list[tuple[Key, bool]] = []
         """The words that are set, each with whether that is a constant that stands there."""
         self._waiting: list[list[Label]] = []
         """Where `#EXITC` comes back to, by the bodies around: the next line of the innermost that has one."""
@@ -62,11 +67,10 @@ class Builder:
         self._pass(0, span=header)
         yield from self._body(body)
         self._leave(0, ENDED)
-        rows = tuple(sorted({node.line for node in self._nodes}))
-        index = {row: at for at, row in enumerate(rows)}
-        nodes = {at: self._done(at, node, index) for at, node in enumerate(self._nodes)}
-        used = frozenset(key for node in self._nodes for key in node.used if key is not None)
-        sets = frozenset(key for node in self._nodes for key in node.sets)
+        for at, ways in self._ways.items():
+            self._nodes[at] = _deciding(self._nodes[at], ways)
+        used = frozenset[Key]().union(*{node.used for node in self._nodes}) - {None}
+        sets = frozenset[Key]().union(*{node.sets for node in self._nodes})
         shared = frozenset(key for key in used if not _is_local(key))
         written = frozenset(key for key in sets | {END} if not _is_local(key))
         times = Counter(self._settings)
@@ -74,17 +78,11 @@ class Builder:
             key for key, literal in self._settings if literal and times[key, True] == 1 and not times[key, False]
         )
         heads = {first: self._head(first, last) for first, last in self._loops}
+        nodes = dict(enumerate(self._nodes))
         graph = Graph(nodes, heads, (), frozenset(), used | sets, shared, written, frozenset(self._callees), constants)
+        rows = tuple(self._rows)
+        assert all(one < two for one, two in pairwise(rows)), "the parts of a section are gone through in order"
         return Section(graph, rows)
-
-    def _done(self, at: int, node: Node, index: Mapping[int, int]) -> Node:
-        ways = [(way, way.to if isinstance(way.to, int) else way.to.at) for way in self._ways.get(at, ())]
-        targets = {to for _, to in ways}
-        condition = node.condition
-        if condition is None or len(targets) < len(ways):
-            return node._replace(line=index[node.line])
-        dead = tuple(Dead(to, way.kind, condition, way.message, way.severity) for way, to in ways if way.kind)
-        return node._replace(line=index[node.line], dead=dead)
 
     def _head(self, first: int, last: int) -> Head:
         inside = self._nodes[first : last + 1]
@@ -107,7 +105,8 @@ class Builder:
         callee: str | None = None,
         calls: bool = False,
     ) -> None:
-        self._nodes.append(Node(row, flow, frozenset(used), frozenset(sets), span, callee=callee, calls=calls))
+        at = self._rows.setdefault(row, len(self._rows))
+        self._nodes.append(Node(at, flow, frozenset(used), frozenset(sets), span, callee=callee, calls=calls))
 
     def _pass(self, row: int, label: Label | None = None, span: Span | None = None) -> None:
         """A node that does nothing but go on."""
@@ -195,24 +194,16 @@ class Builder:
         elif item.kind == "exit":
             self._leave(item.line, LEFT if item.name == "EXIT" else CALL_LEFT, item.span)
         elif item.node is not None:
-            expressions = self._expressions(item)
-            if item.kind not in ("declaration", "fmt") and item.name != "RESET":
-                self._compute(item, expressions.computed(item.node))
-            found = outcome(item, expressions, self._words)
-            if item.kind == "eval" and (key := expressions.key(item.node.children[2])) is not None:
-                self._settings.append((key, is_plain(item.node.children[-2])))
-            if found is not None:
-                behind, change = self._next + 1, found.change
-                self._add(
-                    item.line,
-                    lambda env, calls: ((behind, change(env)),),
-                    item.span,
-                    tuple(expressions.used),
-                    found.sets,
-                )
+            command = self._commands.command(item, item.node, self._texts[item.line])
+            self._compute(item, command.computed)
+            if command.setting is not None:
+                self._settings.append(command.setting)
+            if command.outcome is not None:
+                self._change(item, command.outcome, command.used)
 
-    def _expressions(self, item: Item) -> Expressions:
-        return Expressions(self._texts[item.line], self._words)
+    def _change(self, item: Item, outcome: Outcome, used: Sequence[Key]) -> None:
+        behind, change = self._next + 1, outcome.change
+        self._add(item.line, lambda env, calls: ((behind, change(env)),), item.span, used, outcome.sets)
 
     def _compute(self, item: Item, words: Sequence[Word]) -> None:
         """Words whose sections are run before an item."""
@@ -286,22 +277,15 @@ class Builder:
             yield from self._body(branch.other)
         end.at = self._next
 
-    def _test(self, body: Body) -> tuple[Test, tuple[Key, ...], Sequence[Word]]:
-        """What a branch asks, of which keys, and the words that must be computed before."""
+    def _test(self, body: Body) -> Asked:
+        """What a branch asks."""
         if body.head is None:
             changed = tested(body, self._words)
-            return changed.ways, changed.keys, changed.computed
+            return Asked(changed.ways, changed.keys, changed.computed)
         node = body.head.node
         if node is None:
             raise Unread
-        expressions = self._expressions(body.head)
-        asked = node.node("tests") or node.node("string_tests")
-        if asked is not None:
-            test = tests(expressions, asked)
-            return test, tuple(expressions.used), expressions.computed(node)
-        words = [expressions.word(part) for part in node.children if part.kind == "WORD"]
-        any_changed = Changed(tuple((False, tracked(word, self._words)) for word in words), ())
-        return any_changed.ways, any_changed.keys, expressions.computed(node)
+        return self._commands.asked(body.head, node, self._texts[body.head.line])
 
     def _decide(self, head: Item, body: Body, test: Test, used: Sequence[Key], other: Label) -> None:
         inside = self._next + 1
@@ -318,7 +302,7 @@ class Builder:
         head = body.head
         if body.kind != "repeat" or head is None or head.node is None:
             raise Unread
-        expressions = self._expressions(head)
+        expressions = Expressions(self._texts[head.line], self._words)
         self._compute(head, expressions.computed(head.node))
         part = head.node.children[2]
         get, key, said = expressions.number(part), expressions.key(part), expressions.said(part)
@@ -348,6 +332,16 @@ class Builder:
 
         self._add(head.line, again)
         end.at = self._next
+
+
+def _deciding(node: Node, ways: Sequence[Way]) -> Node:
+    """A node with what is said of its ways, which are known by now; nothing where several of them lead to the same place."""
+    targets = [way.to if isinstance(way.to, int) else way.to.at for way in ways]
+    condition = node.condition
+    if condition is None or len(set(targets)) < len(ways):
+        return node
+    dead = (Dead(to, way.kind, condition, way.message, way.severity) for way, to in zip(ways, targets) if way.kind)
+    return node._replace(dead=tuple(dead))
 
 
 def _is_local(key: Key) -> bool:

@@ -9,7 +9,7 @@ from deburr.steps import paced
 from deburr.templates.beside import beside, events_in, is_events, machine_in
 from deburr.templates.items import Body, rows_of
 from deburr.templates.items import Builder as Bodies
-from deburr.templates.template import items_of
+from deburr.values.cgt.commands import Commands
 from deburr.values.cgt.flow import Builder, Section
 from deburr.values.cgt.generator import NAME, Path, generator, path_of
 from deburr.values.cgt.lines import Part, Unread, sections
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from deburr.values.graph import Env
 
 _VOCABULARIES = 8
-_kept: Kept[tuple[Vocabulary, Kept[Section]]] = Kept(_VOCABULARIES)
-"""The graphs of sections, by what words mean."""
+_kept: Kept[tuple[Commands, Kept[Section]]] = Kept(_VOCABULARIES)
+"""What commands do, and the graphs of sections, by what words mean."""
 
 
 def routines_of(analysis: Analysis) -> Generator[None, None, Mapping[str, Routine] | None]:
@@ -37,11 +37,11 @@ def routines_of(analysis: Analysis) -> Generator[None, None, Mapping[str, Routin
         parts = _first((yield from sections(document)))
         run = {name: part for name, part in parts.items() if part.reading != "table"}
         machine = machine_in(beside(analysis.settings, analysis.host, "machine"))
-        words, graphs = _graphs(_vocabulary(parts, run, machine, analysis.inputs.define))
+        commands, graphs = _graphs(_vocabulary(parts, run, machine, analysis.inputs.define))
         graphs.fit(sum(len(part.lines) for part in run.values()))
         built: dict[str, Section] = {}
         for name, part in run.items():
-            built[name] = yield from _section(part, words, graphs)
+            built[name] = yield from _section(part, commands, graphs)
             yield
     except Unread:
         return None
@@ -50,15 +50,15 @@ def routines_of(analysis: Analysis) -> Generator[None, None, Mapping[str, Routin
         for name, part in run.items()
     }
     path = _path(analysis)
-    entry = _start(words, _targets(run.values(), words) - path.sets)
+    entry = _start(commands.words, _targets(run.values(), commands.words) - path.sets)
     graph = generator(tuple(run), frozenset(entry), path)
     return {NAME: Routine(NAME, (-1,), graph, entry), **found}
 
 
-def _graphs(words: Vocabulary) -> tuple[Vocabulary, Kept[Section]]:
-    """The same words as they were last met, and where the graphs of sections are kept in which they mean this."""
+def _graphs(words: Vocabulary) -> tuple[Commands, Kept[Section]]:
+    """What commands do where words mean this, and where the graphs of sections are kept."""
     found = _kept.get(words)
-    return _kept.add(words, (words, Kept(LINES // _VOCABULARIES)), 1) if found is None else found
+    return _kept.add(words, (Commands(words), Kept(LINES // _VOCABULARIES)), 1) if found is None else found
 
 
 def _first(parts: Sequence[Part]) -> dict[str, Part]:
@@ -122,9 +122,9 @@ def _path(analysis: Analysis) -> Path:
     return path_of(events_in(file).events) if file.text is not None and is_events(file) else Path()
 
 
-def _section(part: Part, words: Vocabulary, kept: Kept[Section]) -> Generator[None, None, Section]:
+def _section(part: Part, commands: Commands, kept: Kept[Section]) -> Generator[None, None, Section]:
     """A section's flow, kept by its lines."""
-    quiet = part.name in words.quiet
+    quiet = part.name in commands.words.quiet
     key = (part.name, quiet, part.lines)
     found = kept.get(key)
     if found is None:
@@ -135,7 +135,7 @@ def _section(part: Part, words: Vocabulary, kept: Kept[Section]) -> Generator[No
                 yield
             else:
                 (row, _), node = line
-                bodies.add(items_of(row, node, words.symbols))
-        found = yield from Builder(words, dict(part.lines), quiet).section(body, Span(0, 1 + len(part.name)))
+                bodies.add(commands.items(row, node))
+        found = yield from Builder(commands, dict(part.lines), quiet).section(body, Span(0, 1 + len(part.name)))
         kept.add(key, found, len(part.lines))
     return found
