@@ -118,6 +118,11 @@ CERTAIN = {
     "a level is no diameter": ("G7 G19 F100 G99\nG0 X20 Z0\nG81 X-10 Y0 R6\nG80 G17\nG2 X8 I-1\nM2\n", []),
     "a branch makes X a diameter": ("#1=1\nG18 F100\no1 if [#1]\nG7\no1 endif\nG0 X20 Z0\nG2 X10 Z-5 I-10\nM2\n", []),
     "zero is zero in all units": ("F100\nG0 X0 Y0\nG21\nG2 X9 R1\nM2\n", ["arc-radius"]),
+    "an angle at the origin": ("G0 @5 ^3\nG0 Z5\n@2\nG0 X0 Y0\n@0 ^0\nG91\n^4\nM2\n", []),
+    "no angle at the origin": ("G0 X9 Y9\nX0\nY0\n" + "G0 Z1\n" * 40 + "G0 @5\nM2\n", ["polar-at-origin"]),
+    "steps that lead back may miss the origin": ("G0 X0.3 Y0\nG91 X-0.1\nX-0.1\nX-0.1\nG90 @5\nM2\n", []),
+    "a system that is not in force, in compensation": ("G56\nG41 D1\nG10 L2 P1 X1\nG10 L2 P4 X1\nG40\nM2\n", []),
+    "the system in force, in compensation": ("G56\nG41 D1\nG10 L2 P3 X1\nG40\nM2\n", ["in-compensation"]),
     "a feed rate of zero": ("F0\nG0 X1\nG1 X2\nX3\nM2\n", ["feed-zero"]),
 }
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Set
 from enum import Enum
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.rules.rs274._words import ARCS, CYCLES, PROBES, governs, motion, values, words
+from deburr.rules.rs274._words import ARCS, CYCLES, PROBES, UNKNOWN, governs, in_force, motion, values, words
 from deburr_grammar.dialects.rs274.modality import AXES
 from deburr_grammar.tree import Node, Token
 
@@ -75,9 +75,12 @@ _UNITS = frozenset(("G20", "G21"))
 _HOMES = frozenset(("G28", "G30"))
 _OWN_AXES = _HOMES | {"G10", "G43.1", "G52", "G53", "G92"}
 """Codes that say what becomes of the axes on their line; of all others nothing changes."""
+_NOT_POLAR = frozenset((UNKNOWN, "", "G80", "G5.2", "G5.3"))
+"""Motions of a line whose polar words are not looked at, or not for certain."""
 _DEPTH = {"G17": "Z", "G18": "Y", "G19": "X"}
 """The axis that canned cycles drill along."""
-_SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3")
+SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3")
+"""The coordinate systems, from the first, as G10 counts them."""
 
 
 def without_words(reading: Reading, shape: Shape) -> Change:
@@ -112,6 +115,13 @@ def change_of(line: Line, state: State, steady: Set[str]) -> Change:
         if axis not in steady and axes.get(axis, (Way.BY,))[0] is not Way.TO:
             axes[axis] = (Way.LOST, axis)
     return Change(_factor(found, state), axes, share or 1.0)
+
+
+def only_named(change: Change, found: Words) -> Change:
+    """The same change if only what an absolute move or G92 names counts as known: all that offsets and steps lead to is lost."""
+    moves = "G92" in found.has or found.has.isdisjoint(_OWN_AXES)
+    axes = {axis: (way if way is Way.TO and moves else Way.LOST, letter) for axis, (way, letter) in change.axes.items()}
+    return change._replace(axes=axes)
 
 
 def _is_in_force(state: State, code: str) -> bool:
@@ -166,11 +176,16 @@ def _by_data(line: Line, state: State, given: Set[str]) -> dict[str, tuple[Way, 
     kind, number = said.get("L"), said.get("P")
     if kind not in (2, 20) or number is None or number not in range(10) or "R" in said:
         return _lost(LINEAR)
-    active = "G54" if state.untouched("coordinate-system") else state.code("coordinate-system")
-    if number and active is not None and active != _SYSTEMS[int(number) - 1]:
+    active = active_system(state)
+    if number and active is not None and active != SYSTEMS[int(number) - 1]:
         return {}
     is_active = number == 0 or active is not None
     return _literal(line, given, Way.TO) if kind == 20 and is_active else _lost(given)
+
+
+def active_system(state: State) -> str | None:
+    """The code of the coordinate system in force; a program starts in G54. None: only the run knows it."""
+    return "G54" if state.untouched("coordinate-system") else state.code("coordinate-system")
 
 
 def _moved(line: Line, found: Words, state: State, given: Set[str]) -> dict[str, tuple[Way, str]]:
@@ -210,6 +225,35 @@ def arc_modes(line: Line, state: State) -> Modes | None:
 def probe_modes(line: Line, state: State) -> Modes | None:
     """Under which modes a line is a probe along X, Y and Z alone that must end as it says."""
     return _modes(line, state, MUST_PROBE, "XYZ") if words(line).has.isdisjoint(_OTHERS) else None
+
+
+def polar_modes(line: Line, state: State) -> Modes | None:
+    """Under which modes a move by polar words is not possible at the origin; None: it is possible there, or wrong in another way."""
+    return _polar(line, state) if motion(words(line), state) not in CYCLES else None
+
+
+def polar_cycle_modes(line: Line, state: State) -> Modes | None:
+    """The same of a canned cycle."""
+    return _polar(line, state) if motion(words(line), state) in CYCLES else None
+
+
+def _polar(line: Line, state: State) -> Modes | None:
+    found = words(line)
+    made = motion(found, state)
+    others = [letter for letter in found.letters if letter not in "GM"]
+    if (
+        found.has.isdisjoint("@^")
+        or made in _NOT_POLAR
+        or not found.has.isdisjoint(("X", "Y", "G53"))
+        or len(others) != len(set(others))
+    ):
+        return None
+    # The plane of the line itself comes too late.
+    if in_force(state, "plane") not in ("G17", None):
+        return None
+    distance = governs(found, state, "distance")
+    leaves_angle = "^" not in found.has and made not in CYCLES
+    return Modes(None, distance, None, None, 1.0) if leaves_angle or distance == "G91" else None
 
 
 def _modes(line: Line, state: State, motions: Set[str], letters: str) -> Modes | None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from deburr.formats.tools import read
 from deburr.modal import Modal, State, modal_of
 from deburr.rule import Line
-from deburr.rules.rs274._moves import LINEAR, STAYS, Change, Modes, Way, change_of, counts, without_words
+from deburr.rules.rs274._moves import LINEAR, STAYS, Change, Modes, Way, change_of, counts, only_named, without_words
 from deburr.rules.rs274._words import values, words
 from deburr_grammar.line import LineNode
 
@@ -41,6 +41,8 @@ class Watch(NamedTuple):
     ``modes``: under which modes it is made; None: it is no such move.
     ``needs_start``: whether where it starts has a say under these modes.
     ``judge``: what is wrong with one, or nothing.
+    ``exact``: whether only a coordinate that an absolute word names counts as known. The control reckons with offsets and
+    steps, and what comes of it may differ in the last digit.
     """
 
     name: str
@@ -49,6 +51,7 @@ class Watch(NamedTuple):
     modes: Callable[[Line, State], Modes | None]
     needs_start: Callable[[Modes], bool]
     judge: Callable[[Move], str]
+    exact: bool = False
 
 
 class _From(NamedTuple):
@@ -171,8 +174,7 @@ class _Walk:
                 if step.matters:
                     change = step.change
                     if change is None:
-                        line = Line(piece.node(index), self._settings)
-                        change = change_of(line, state, self._steady)
+                        change = self._change(Line(piece.node(index), self._settings), state)
                     path.go(index, change, step.modes, step.simple)
                 after = step.after
                 if after is None:
@@ -193,10 +195,14 @@ class _Walk:
         else:
             line = self._sample(reading, shape)
             modes, simple = self._watch.modes(line, state), _SIMPLE.fullmatch(shape.text) is not None
-            own = None if counts(line, state) else change_of(line, state, self._steady)
+            own = None if counts(line, state) else self._change(line, state)
             step = _Step(own, modes is not None or own != STAYS, modes, simple, after)
         self._under(state, reading)[shape] = step
         return step
+
+    def _change(self, line: Line, state: State) -> Change:
+        change = change_of(line, state, self._steady)
+        return only_named(change, words(line)) if self._watch.exact else change
 
     def _sample(self, reading: Reading, shape: Shape) -> Line:
         return Line(LineNode(shape.text, reading, shape), self._settings)

@@ -1,8 +1,8 @@
 """Code that is not possible while cutter compensation is on.
 
 Between `G41` or `G42` and `G40` the control refuses another plane, origin, tool or tool offset,
-canned cycles, probing, splines, overrides, outputs and inputs, and compensation cannot be switched on
-twice. Compensation exists in G17 and G18 only. The control stops, as with "Cannot change planes
+canned cycles, probing, splines, overrides, outputs and inputs, a `G10` of the coordinate system in force, and
+compensation cannot be switched on twice. Compensation exists in G17 and G18 only. The control stops, as with "Cannot change planes
 with cutter radius compensation on".
 
 Source: spec/rs274.md §5
@@ -27,6 +27,12 @@ Bad:
 
 Bad:
 
+    G41 D1
+    G10 L20 P0 X0
+    ^^^
+
+Bad:
+
     G19
     G41 D1
     ^^^
@@ -34,6 +40,7 @@ Bad:
 Good:
 
     G41 D1
+    G10 L2 P3 X50
     G40
     G55
 """
@@ -43,7 +50,8 @@ from collections.abc import Iterator
 from deburr.fixers import line_before
 from deburr.modal import State
 from deburr.rule import Line, Modal, Report, Severity, rule
-from deburr.rules.rs274._words import governs, in_force, motion, report, said, words
+from deburr.rules.rs274._moves import SYSTEMS, active_system
+from deburr.rules.rs274._words import Words, governs, in_force, motion, report, said, values, words
 from deburr_grammar.dialects.rs274.modality import AXES
 
 _ON = frozenset(("G41", "G41.1", "G42", "G42.1"))
@@ -56,10 +64,26 @@ _REFUSED = _ON | frozenset(_REFUSED_CODES.split())
 _PLANES = frozenset(("G17", "G18", "G19"))
 
 
-@rule(Severity.ERROR, Modal(("word",)))
+def _may(line: Line, state: State) -> bool:
+    found = words(line)
+    return any(True for _ in _of_codes(line, found, state)) or ("G10" in found.has and _behind(found, state) in _ON)
+
+
+@rule(Severity.ERROR, Modal(("word",), where=_may))
 def check(line: Line, state: State) -> Iterator[Report]:
     """Report the code."""
     found = words(line)
+    yield from _of_codes(line, found, state)
+    if found.clear and _behind(found, state) in _ON and _sets_active(line, found, state):
+        at = found.first("G10")
+        yield report(
+            line,
+            at,
+            f"`{said(line, at)}` sets the coordinate system in force while cutter compensation is on; write `G40` before it",
+        )
+
+
+def _of_codes(line: Line, found: Words, state: State) -> Iterator[Report]:
     if not found.clear:
         return
     codes = [(at, code) for at, code in enumerate(found.codes) if code]
@@ -67,7 +91,7 @@ def check(line: Line, state: State) -> Iterator[Report]:
     if made not in found.has and found.axes:
         codes.append((found.first(*AXES), made))
     before = in_force(state, "cutter-compensation")
-    behind = found.of("cutter-compensation") or before
+    behind = _behind(found, state)
     for at, code in codes:
         # The M codes and the plane come before compensation is switched on or off, all else comes behind.
         first = code[:1] == "M" or code in _ON | _PLANES
@@ -79,6 +103,21 @@ def check(line: Line, state: State) -> Iterator[Report]:
             yield report(
                 line, at, f"`{said(line, at)}` is possible in `G17` and `G18` only; another plane is in force here"
             )
+
+
+def _behind(found: Words, state: State) -> str | None:
+    return governs(found, state, "cutter-compensation")
+
+
+def _sets_active(line: Line, found: Words, state: State) -> bool:
+    """Whether it is certain that a G10 sets the system in force."""
+    if "G10" not in found.has:
+        return False
+    numbers = values(line)
+    kind, number = numbers.get("L"), numbers.get("P")
+    if kind is None or number is None or round(kind) not in (2, 20) or round(number) not in range(10):
+        return False
+    return round(number) == 0 or SYSTEMS[round(number) - 1] == active_system(state)
 
 
 def _is_other_plane(code: str, state: State) -> bool:

@@ -1,8 +1,9 @@
-"""Arcs where X is a diameter, and where it is one no longer: those that LinuxCNC's interpreter refuses are those in which something is found."""
+"""Moves that hang on where the tool stands: those that LinuxCNC's interpreter refuses are those in which something is found."""
 
 import math
 import os
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 from random import Random
 
@@ -15,7 +16,7 @@ from deburr_grammar.document import Document
 
 pytestmark = pytest.mark.oracle
 DIALECT = by_name("rs274")
-ARCS = 1_200
+ARCS, POLAR = 1_200, 600
 PLANES = {"G17": ("XY", "IJ"), "G18": ("XZ", "IK"), "G19": ("YZ", "JK")}
 
 
@@ -36,10 +37,10 @@ def refused(program: str, folder: Path) -> set[int]:
     return {int(line[1:].split()[0]) for line in said if line.startswith("N") and line[1:2].isdigit()}
 
 
-def reported(program: str) -> set[int]:
+def reported(program: str, rule: str) -> set[int]:
     findings = Analysis(Document.parse(program, DIALECT), RuleSet(DIALECT)).findings()
     errors = [finding for finding in findings if finding.severity.name == "ERROR"]
-    assert {finding.rule for finding in errors} <= {"rs274.arc-radius"}
+    assert {finding.rule for finding in errors} <= {rule}
     return {finding.place.line for finding in errors}
 
 
@@ -83,4 +84,34 @@ def test_arcs_under_g7_and_g8_are_judged_as_the_interpreter_judges_them(tmp_path
     program = "".join(f"N{number} {line}\n" for number, line in enumerate(lines)) + "M2\n"
     stopped = refused(program, tmp_path)
     assert ARCS // 10 < len(stopped) < ARCS // 2
-    assert reported(program) == stopped
+    assert reported(program, "rs274.arc-radius") == stopped
+
+
+NAMED = ("", "", "G92 X0", "G92 X1", "G92 X0 Y0", "G7 X0\nG8", "G20\nG21", "G92.1\nX0 Y0")
+RECKONED = ("G10 L20 P1 X0 Y0", "G91 X1\nX-1", "G91 Y2\nY-3", "G92.1", "G10 L2 P1 X0", "G43.1 X1", "G49")
+"""Ways on which the control reckons where the tool stands: nothing is found behind them."""
+
+
+def polar(rng: Random, ways: Sequence[str]) -> list[str]:
+    """The way to a place, often the origin, and a move by polar words."""
+    x, y = (rng.choice([0, 0, 0, 0.0001, 5]) for _ in range(2))
+    said = rng.choice(["@3", "@-1", "^20", "@2 ^30", "@0 ^0", "@0", "^5", "^0"])
+    move = rng.choice(["G0", "G1", "", "G81 Z-1 R1", "G83 Z-1 R1 Q1", "G38.3", "G33 K1"])
+    return [
+        f"G80 G90 G0 X{x} Y{y} Z0",
+        *rng.choice(ways).split("\n"),
+        f"{rng.choice(['G90', 'G91', ''])} {move} {said}",
+    ]
+
+
+@pytest.mark.parametrize(("ways", "all_found"), [(NAMED, True), (RECKONED, False)])
+def test_polar_words_at_the_origin_are_judged_as_the_interpreter_judges_them(
+    ways: Sequence[str], all_found: bool, tmp_path: Path
+) -> None:
+    rng = Random(5)
+    lines = ["G21 F100 M3 S100", *(line for _ in range(POLAR) for line in polar(rng, ways))]
+    program = "".join(f"N{number} {line}\n" for number, line in enumerate(lines)) + "M2\n"
+    stopped = refused(program, tmp_path)
+    assert POLAR // 10 < len(stopped) < POLAR // 2
+    found = reported(program, "rs274.polar-at-origin")
+    assert found == stopped if all_found else found <= stopped
