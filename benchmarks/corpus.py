@@ -84,7 +84,7 @@ _CAM_FRAME = (
         "G0 Z5",
         "o<peck> endsub",
         "G21 G90 G17 G40 G49 G80 G94",
-        "#1=0 #2=5",
+        "#1=0 #2=#5063 (WHERE THE PROBE TOUCHED THE STOCK)",
         "T1 M6",
         "S8000 M3",
         "G0 X0 Y0 Z5",

@@ -8,12 +8,16 @@ from unittest import mock
 import pytest
 from benchmarks import corpus, ours, rows
 from benchmarks.__main__ import main
+from benchmarks.macros import macros
 
 from deburr.analysis import Analysis
+from deburr.finding import Severity
 from deburr.modal import Modal
 from deburr.ruleset import RuleSet
+from deburr.values import proving
 from deburr_grammar import line as line_module
 from deburr_grammar.chunk import SIZE
+from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.document import Document
 from support.oracle import Verdict, judged
 
@@ -24,7 +28,7 @@ QUICK = ["--quick", "--only"]
 def test_corpora_are_clean_and_of_the_length_asked_for(make) -> None:
     text = make(3_000)
     assert text.count("\n") == 3_000 and text == make(3_000)
-    assert Analysis(Document.parse(text, ours.DIALECT), RuleSet(ours.DIALECT)).findings() == []
+    assert Analysis(Document.parse(text, ours.DIALECT), RuleSet(ours.DIALECT), prove=proving).findings() == []
 
 
 @pytest.mark.oracle
@@ -35,6 +39,14 @@ def test_the_interpreter_runs_the_macros_to_their_end(tmp_path) -> None:
 def test_the_cam_program_is_numbered_motion_for_the_most_part() -> None:
     lines = corpus.cam(20_000).split("\n")
     assert 0.96 < sum(line.startswith("N") for line in lines) / len(lines) < 0.985
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_is_proven_of_is_right(name: str) -> None:
+    """No error, or the program would not be one that anybody runs."""
+    dialect = by_name(name)
+    analysis = Analysis(Document.parse(macros(name, 400), dialect), RuleSet(dialect), prove=proving)
+    assert [finding for finding in analysis.findings() if finding.severity is Severity.ERROR] == []
 
 
 def test_the_macros_are_of_many_shapes() -> None:

@@ -53,7 +53,7 @@ def taken(document: Document, remapped: Sequence[str] = ()) -> Generator[None, N
     marks = partial(_marks, foreign)
     several = 0
     for piece in document.holding((_KEY, foreign), marks, _LINES):
-        several += _several(piece, foreign)
+        several += _several(document, piece, foreign)
         if several > _MOST:
             return None
         yield
@@ -104,9 +104,13 @@ def _takes_part(shape: Shape, reading: Reading) -> bool:
     return not facts.kinds.isdisjoint(_CALCULATED) and computes_code(shape.text, shape.tree(reading))
 
 
-def _several(piece: Piece, foreign: re.Pattern[str] | None) -> int:
+def _several(document: Document, piece: Piece, foreign: re.Pattern[str] | None) -> int:
     """How many lines of a piece take part: to read them costs much more."""
-    return sum(1 for _ in _wanted(piece, foreign))
+    key = ("rs274 lines that take part, counted", document.key(piece), foreign)
+    if key not in piece.chunk.memo:
+        piece.chunk.memo[key] = sum(1 for _ in _wanted(piece, foreign))
+    found: int = piece.chunk.memo[key]
+    return found
 
 
 def _of_piece(document: Document, piece: Piece, foreign: re.Pattern[str] | None) -> list[Taken]:
