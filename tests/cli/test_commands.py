@@ -30,8 +30,28 @@ def test_version_and_help(shell):
     ran = shell.run()
     assert (ran.code, ran.out) == (2, "") and "commands:" in ran.err
     ran = shell.run("chek")
-    assert ran.code == 2 and ran.err.endswith("deburr: error: unknown command `chek`; did you mean `check`?\n")
+    assert ran == (2, "", "deburr: error: unknown command `chek`; did you mean `check`? (see `deburr --help`)\n")
     assert shell.run("--nonsense").code == 2
+
+
+@pytest.mark.parametrize(
+    ("command", "said"),
+    [
+        ("expand --decimals x p", "--decimals: `x` is neither a number from 0 to 15 nor `exact`"),
+        ("expand --decimalz 3 p", "`--decimalz` is no option; did you mean `--decimals`?"),
+        ("expand --eol=crl p", "--eol: `crl` is none of lf, crlf, source; did you mean `crlf`?"),
+        ("expand", "FILE: missing"),
+        ("expand p -D", "-D/--define: a value is missing"),
+        ("check --fail-on fatal", "--fail-on: `fatal` is none of error, warning, info"),
+        ("check -q -v", "-v/--verbose: not allowed with argument -q/--quiet"),
+        ("check --select rs274.o-mismach", "--select: `rs274.o-mismach` is no rule; did you mean `rs274.o-mismatch`?"),
+        ("server here", "`here`: one argument too many"),
+    ],
+)
+def test_a_fault_of_options_is_said_in_a_line(shell, command, said):
+    name = command.partition(" ")[0]
+    line = f"deburr: error: {said} (see `deburr {name} --help`)\n"
+    assert shell.run(*command.split()) == (2, "", line)
 
 
 @pytest.mark.parametrize("command", COMMANDS)

@@ -8,11 +8,11 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from deburr import paths
+from deburr.cli.arguments import UNABLE
 from deburr.cli.checkoptions import parser, top
 from deburr.cli.common import complain, unable
 from deburr.cli.files import STDIN, Target, targets
 from deburr.cli.inputs import inputs_of
-from deburr.cli.main import UNABLE
 from deburr.cli.output import Output, keyed, outputs_of, written
 from deburr.cli.result import Result
 from deburr.cli.run import Checker, Fixes, Options, Outcome, outcomes

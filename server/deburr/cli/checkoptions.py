@@ -3,6 +3,7 @@
 import argparse
 from typing import Any
 
+from deburr.cli.arguments import Parser
 from deburr.cli.common import Help, add_config, add_dialect
 from deburr.cli.inputs import add_inputs, settings
 from deburr.cli.output import add_output
@@ -15,11 +16,10 @@ from deburr.suggest import suggestion
 
 def parser() -> argparse.ArgumentParser:
     """The command's options."""
-    found = argparse.ArgumentParser(
+    found = Parser(
         prog="deburr check",
         description="Lint files, folders or standard input.",
         formatter_class=Help,
-        allow_abbrev=False,
     )
     found.add_argument(
         "paths",

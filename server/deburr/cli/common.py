@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterable
 from functools import cache
 
-from deburr.cli.main import UNABLE
+from deburr.cli.arguments import UNABLE
 from deburr.suggest import suggestion
 from deburr_grammar.dialects import NAMES
 

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from deburr import paths
+from deburr.cli.arguments import Parser
 from deburr.cli.common import add_config, unable
 from deburr.config import Config, ConfigError, Value
 from deburr.configfile import Configs
@@ -14,10 +15,9 @@ from deburr_grammar.dialect import Setting
 
 def parser() -> argparse.ArgumentParser:
     """The command's options."""
-    found = argparse.ArgumentParser(
+    found = Parser(
         prog="deburr config",
         description="Print the effective configuration of a file and where each value comes from.",
-        allow_abbrev=False,
     )
     found.add_argument("file", metavar="FILE", help="a program, or a folder for the programs in it")
     add_config(found)

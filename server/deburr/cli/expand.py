@@ -7,6 +7,7 @@ from tempfile import TemporaryFile
 from typing import Any
 
 from deburr import paths
+from deburr.cli.arguments import Parser
 from deburr.cli.checkoptions import profile
 from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.files import STDIN
@@ -23,10 +24,9 @@ EOLS = {"lf": "\n", "crlf": "\r\n", "source": ""}
 
 def parser() -> argparse.ArgumentParser:
     """The command's options."""
-    found = argparse.ArgumentParser(
+    found = Parser(
         prog="deburr expand",
         description="Print the flat program that a control would execute. Several files are joined in order.",
-        allow_abbrev=False,
     )
     found.add_argument(
         "files", nargs="+", metavar="FILE", help="a program, or - for standard input; a named pipe is refused"

@@ -4,6 +4,7 @@ import argparse
 import sys
 
 from deburr import paths, source
+from deburr.cli.arguments import Parser
 from deburr.cli.common import add_config, add_dialect, unable
 from deburr.cli.files import STDIN
 from deburr.cli.opening import hints
@@ -15,10 +16,9 @@ from deburr.source import NotAProgram
 
 def parser() -> argparse.ArgumentParser:
     """The command's options."""
-    found = argparse.ArgumentParser(
+    found = Parser(
         prog="deburr explain-dialect",
         description="Say which dialect a file is written in, and why. Exits 1 if none answers.",
-        allow_abbrev=False,
     )
     found.add_argument("file", metavar="FILE", help="the file, or - for standard input")
     add_dialect(found)

@@ -5,6 +5,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from deburr.cli.arguments import Parser
 from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.disk import Disk
 from deburr.cli.files import STDIN, Target, targets
@@ -31,10 +32,9 @@ class Done(NamedTuple):
 
 def parser() -> argparse.ArgumentParser:
     """The command's options."""
-    found = argparse.ArgumentParser(
+    found = Parser(
         prog="deburr format",
         description="Lay out programs: blanks, indentation, the case of letters. What a program says is never changed.",
-        allow_abbrev=False,
     )
     found.add_argument(
         "paths",

@@ -3,6 +3,7 @@
 import argparse
 from collections.abc import Iterator
 
+from deburr.cli.arguments import Parser
 from deburr.cli.common import unable
 from deburr.cli.config import toml
 from deburr.cli.replacing import replacing
@@ -27,10 +28,9 @@ _MOST = 5
 
 def parser() -> argparse.ArgumentParser:
     """The command's options: none."""
-    return argparse.ArgumentParser(
+    return Parser(
         prog="deburr init",
         description=f"Write a {FILE} into this folder: every key as a comment with its default, or with a file that was found for it. It changes nothing before it is edited.",
-        allow_abbrev=False,
     )
 
 

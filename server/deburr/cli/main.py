@@ -10,6 +10,7 @@ from typing import NoReturn
 
 from deburr import __version__
 from deburr.cli import streams
+from deburr.cli.arguments import UNABLE, Parser
 
 COMMANDS = {
     "check": "lint files, folders or standard input",
@@ -23,7 +24,6 @@ COMMANDS = {
     "server": "the language server, for editors",
     "init": "write a commented deburr.toml into this folder",
 }
-UNABLE = 2
 INTERRUPTED = 130
 
 
@@ -78,13 +78,12 @@ def _run(arguments: list[str]) -> int:
 def _parser() -> argparse.ArgumentParser:
     width = max(map(len, COMMANDS))
     commands = "\n".join(f"  {name:<{width}}  {text}" for name, text in COMMANDS.items())
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="deburr",
         usage="deburr COMMAND ...",
         description="Takes the burrs off parametric CNC code.",
         epilog=f"commands:\n{commands}\n\n`deburr COMMAND --help` says more.",
         formatter_class=argparse.RawDescriptionHelpFormatter,
-        allow_abbrev=False,
     )
     parser.add_argument("--version", action="version", version=f"deburr {__version__}")
     return parser

@@ -4,6 +4,7 @@ import argparse
 from collections.abc import Sequence
 
 from deburr.catalogue import known_rules
+from deburr.cli.arguments import Parser
 from deburr.cli.common import Help, unable
 from deburr.cli.disk import Disk
 from deburr.cli.output import add_output, outputs_of, written
@@ -18,12 +19,11 @@ from deburr.source import Source
 
 def parser() -> argparse.ArgumentParser:
     """The command's options."""
-    found = argparse.ArgumentParser(
+    found = Parser(
         prog="deburr merge",
         description="Make one report of the reports of several checks. What they have in common is said once; the exit code is that of one check with these findings. Reports of the parts of a check (--shard) say which parts they are and what could not be checked; if anything is missing, nothing is merged and the exit code is 2.",
         epilog="example: deburr check --shard 1/2 --output-format json=1.json; deburr check --shard 2/2 --output-format json=2.json; deburr merge 1.json 2.json",
         formatter_class=Help,
-        allow_abbrev=False,
     )
     found.add_argument("reports", nargs="+", metavar="REPORT", help="reports in the forms json or json-lines")
     found.add_argument(

@@ -9,6 +9,7 @@ from tempfile import TemporaryFile
 from typing import NamedTuple
 
 from deburr import paths
+from deburr.cli.arguments import Parser
 from deburr.cli.common import add_config, add_dialect, complain, unable
 from deburr.cli.expand import configuration, count, distinct
 from deburr.cli.files import STDIN
@@ -44,10 +45,9 @@ class Picture(NamedTuple):
 
 def parser() -> argparse.ArgumentParser:
     """The command's options."""
-    found = argparse.ArgumentParser(
+    found = Parser(
         prog="deburr plot",
         description="Draw the toolpath of a program: an SVG or PNG picture from four sides, or an HTML page to turn and click on.",
-        allow_abbrev=False,
     )
     found.add_argument("files", nargs="+", metavar="FILE", help="a program, or - for standard input")
     found.add_argument("-o", "--output", metavar="FILE", help="where the picture goes: .svg, .png or .html (default: SVG on standard output)")  # fmt: skip

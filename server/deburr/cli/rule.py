@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from deburr.catalogue import rule_names, rules_of
+from deburr.cli.arguments import Parser
 from deburr.cli.common import unable
 from deburr.page import kind, markdown, mending, page_of, title
 from deburr.rule import Rule, covers
@@ -16,10 +17,9 @@ FORMS = ("text", "json", "markdown")
 
 def parser() -> argparse.ArgumentParser:
     """The command's options."""
-    found = argparse.ArgumentParser(
+    found = Parser(
         prog="deburr rule",
         description="Print what a rule means; without a name, or with the first words of one, list the rules.",
-        allow_abbrev=False,
     )
     found.add_argument("name", nargs="?", metavar="NAME", help="a rule, rs274.divide-by-zero, or a prefix, rs274")
     found.add_argument("--output-format", choices=FORMS, default="text", help="default: text")

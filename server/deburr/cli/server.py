@@ -3,12 +3,13 @@
 import argparse
 import re
 
+from deburr.cli.arguments import Parser
 from deburr.cli.common import unable
 
 
 def parser() -> argparse.ArgumentParser:
     """The command's options."""
-    found = argparse.ArgumentParser(prog="deburr server", description="Run the language server.", allow_abbrev=False)
+    found = Parser(prog="deburr server", description="Run the language server.")
     ways = found.add_mutually_exclusive_group()
     ways.add_argument("--stdio", action="store_true", help="speak on standard input and output (default)")
     ways.add_argument(
