@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import re
 import time
 import tomllib
 from collections.abc import Callable
@@ -37,6 +38,8 @@ OPTIONS = {
     "define": lambda value: ([part for each in value.items() for part in ("-D", "=".join(each))], {"define": value}),
 }
 """How the command line and the command of the editor are given an input of a case."""
+FLAG = re.compile(r"(?<![\w-])(--[a-z]|-D )")
+"""What only the command line has."""
 CASES = [pytest.param(case, id=f"{name}-{case.name}") for name in NAMES for case in cases(name)]
 
 
@@ -77,6 +80,7 @@ def test_one_program_one_text(case: Case, tmp_path: Path, capfdbinary: pytest.Ca
         inside.open(first.as_uri(), first.read_bytes().decode(), case.dialect)
         arguments |= {"with": [path.as_uri() for path in others]} if others else {}
         answer = expand(inside, first.as_uri(), **arguments)
+        assert [found for found in answer["findings"] if FLAG.search(found["message"])] == []
         partial = ["--partial"] if answer["truncated"] else []
         main(["expand", "-q", "--dialect", case.dialect, *partial, *words, *map(str, paths)])
         flat = capfdbinary.readouterr().out.decode()
@@ -115,6 +119,26 @@ def test_a_limit_cuts_and_says_so() -> None:
         found = expand(inside, "untitled:x", maxBlocks=3)
         assert found["truncated"] is True
         assert found["text"].count("\n") == 3
+
+
+@pytest.mark.parametrize(
+    ("dialect", "text", "arguments", "said"),
+    [
+        ("cgt", "@START\n%\n@END\n%\n", {}, "name one with the command's `input` (.cl or .jsonl), or as `input` under [cgt] in deburr.toml"),
+        ("z32", "G0 X<HA>\nM2\n", {}, "set it first, or say `HA=...` in the command's `define`"),
+        ("z32", "G0 X<PAL[300]>\nM2\n", {}, "the setting `pal` or `PAL[300]=...` in the command's `define` gives one"),
+        ("z32", "!HA=1!\nM2\n", {"define": {"HA": "x"}}, "`define`: HA=x: `x` is no number"),
+        ("metagcode", "G0 X|a|\n", {}, "give it one with `a=...` in the command's `define`"),
+        ("rs274", "o1 while [1]\nG4 P0\no1 endwhile\nM2\n", {"maxSteps": 9}, "the command's `maxSteps` sets another limit"),
+        ("rs274", "G4 P0\nG4 P0\nM2\n", {"maxBlocks": 1}, "the command's `maxBlocks` sets another limit"),
+        ("rs274", "#1=0\n/#1=1\nG0 X#1\nM2\n", {}, "say `on` or `off` in the command's `blockDelete`"),
+    ],
+)  # fmt: skip
+def test_messages_name_what_the_editor_has(dialect: str, text: str, arguments: dict[str, Any], said: str) -> None:
+    with Inside() as inside:
+        inside.open("untitled:x", text, dialect)
+        messages = [each["message"] for each in expand(inside, "untitled:x", **arguments)["findings"]]
+        assert [message for message in messages if said in message], messages
 
 
 @pytest.mark.parametrize(

@@ -105,7 +105,7 @@ class Job:
         """A flat line and where it comes from (0-based row)."""
         if self.emitted == self.budget.blocks and self.emitted:
             self.cut = True
-            limit = f"the flat program has more than {self.emitted:,} lines{self._inside()}; --max-blocks sets another limit"
+            limit = f"the flat program has more than {self.emitted:,} lines{self._inside()}; {self.inputs.ways.blocks} sets another limit"
             raise Halt(Fault("limit", file, row, Span(0, 0), limit, frame))
         self.emitted += 1
         self._line(text)
@@ -137,9 +137,8 @@ class Job:
         left = self.budget.steps - self.steps if self.budget.steps else self.pace
         if left <= 0:
             self.cut = True
-            limit = (
-                f"more than {self.budget.steps:,} lines were executed{self._inside()}; --max-steps sets another limit"
-            )
+            way = self.inputs.ways.steps
+            limit = f"more than {self.budget.steps:,} lines were executed{self._inside()}; {way} sets another limit"
             raise Halt(Fault("limit", file, row, Span(0, 0), limit, frame))
         found = min(self.pace, left)
         self.steps += found
@@ -161,7 +160,7 @@ class Job:
 
     def unusable(self, kind: str, given: str, message: str) -> Halt:
         """The end of a run before its first line: a value that was given for it, `NAME=VALUE`, cannot be used."""
-        said = f"-D {given}: {message}"
+        said = f"{self.inputs.ways.misgiven.format(given)}: {message}"
         return Halt(Fault(kind, self.programs[0].file, 0, Span(0, 0), said, given=given))
 
     def meet(self, fault: Fault) -> None:

@@ -17,6 +17,7 @@ from deburr.expand import Budget, Inputs
 from deburr.expand.job import EXACT
 from deburr.host import NoFiles
 from deburr.ide.expansion import Expanded, expanding, instead
+from deburr.inputs import EDITOR
 from deburr.lsp.capabilities import EXPANDED
 from deburr.lsp.convert import uri_to_file
 from deburr.lsp.progress import Progress
@@ -59,6 +60,7 @@ class Wanted(NamedTuple):
             self.keep_n,
             self.decimals,
             reached_only=self.reached_only,
+            ways=EDITOR,
         )
 
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from deburr.expand.job import Job
     from deburr.formats.cl import Statement
+    from deburr.inputs import Ways
     from deburr.templates.template import Template
 
 _NO_ELEMENTS = ("", "DECLARE", "START", "END", "TOOLCHG", "CYCLCHG")
@@ -34,7 +35,8 @@ def toolpath_of(job: Job) -> Beside:
     file = beside(job.settings, job.host, "input")
     template = job.programs[0].file
     if not file.path:
-        message = "a template is run by a toolpath, and none is given; name one with --input FILE (.cl or .jsonl), or as `input` in the configuration"
+        way = job.inputs.ways.input
+        message = f"a template is run by a toolpath, and none is given; name one with {way} (.cl or .jsonl), or as `input` under [cgt] in deburr.toml"
         if job.settings.get("input"):
             message = "a template is run by a toolpath, which text from standard input cannot have; put the template in a file"
         raise Halt(Fault("input-missing", template, 0, Span(0, 0), message, None, True))
@@ -53,8 +55,9 @@ class _Totals(NamedTuple):
 class JobData:
     """The toolpath of a run, and what else is known of its job."""
 
-    def __init__(self, file: Beside, template: Template) -> None:
+    def __init__(self, file: Beside, template: Template, ways: Ways) -> None:
         self._template = template
+        self.ways = ways
         self._file = file
         self.path = self._file.path
         tags = ((_JOB.fullmatch(name), said) for name, said in template.given.items())

@@ -141,9 +141,8 @@ class Lines:
         most = self._job.budget.blocks
         if most and self._job.emitted + len(self._held) > most:
             first = next(piece for piece in self._held[0].pieces if isinstance(piece, Later))
-            message = (
-                f"more than {most:,} lines wait for the block number of `{first.said}`; --max-blocks sets another limit"
-            )
+            way = self._job.inputs.ways.blocks
+            message = f"more than {most:,} lines wait for the block number of `{first.said}`; {way} sets another limit"
             raise Halt(Fault("limit", self._file, first.place.row, first.place.span, message, self.frame))
 
     def _release(self) -> None:

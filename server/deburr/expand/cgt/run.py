@@ -69,7 +69,7 @@ class Run:
         self._words = Words(self._template)
         # Before the toolpath is asked for: a value that was misgiven is wrong whatever is run.
         self._define()
-        self._given = JobData(toolpath_of(job), self._template)
+        self._given = JobData(toolpath_of(job), self._template, job.inputs.ways)
         self._state = State(job, program.file, self._words, self._unit_of)
         job.where = self._state.where
         self._pieces = Pieces(self._state, self._template, self._given)
@@ -186,7 +186,8 @@ class Run:
     def _unknown(self) -> Iterator[Fault]:
         for use in self._template.uses:
             if use.spelled.kind == "unknown" and use.role not in ("macro", "declared"):
-                message = f"`#{use.said}` is no known word, so the template cannot be expanded; a machine file's `[words]` or -D {use.said}=VALUE makes it known"
+                given = self._job.inputs.ways.define.format(f"{use.said}=VALUE")
+                message = f"`#{use.said}` is no known word, so the template cannot be expanded; a machine file's `[words]` or {given} makes it known"
                 yield Fault("word-unknown", self._file, use.line, use.span, message, None, True)
 
     def _define(self) -> None:

@@ -180,7 +180,8 @@ class State:
         """The end of the run at a word that nothing has set."""
         statement = _SETS.get(cell.name)
         way = f"a `{statement}` before it in the toolpath, or " if statement else ""
-        message = f"nothing has set `#{cell.name}` here; {way}-D {cell.name}=VALUE gives it a value"
+        given = self.job.inputs.ways.define.format(f"{cell.name}=VALUE")
+        message = f"nothing has set `#{cell.name}` here; {way}{given} gives it a value"
         return self.fault("word-unset", at, message, True)
 
     def _row(self, cell: Cell, value: float, at: Place) -> str:

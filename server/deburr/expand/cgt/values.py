@@ -244,7 +244,8 @@ class Values:
         tag = self.said(part.children[2])
         found = self._given.data(tag)
         if found is None:
-            message = f"the job's `{tag}` is not known here; -D JOS({tag})=VALUE gives it"
+            given = self._given.ways.define.format(f"JOS({tag})=VALUE")
+            message = f"the job's `{tag}` is not known here; {given} gives it"
             raise self.halt("word-unset", part, message, True)
         return found
 

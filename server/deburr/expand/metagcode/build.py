@@ -266,7 +266,8 @@ class Run:
     def _undefined(self, at: int, row: int, name: str, span: Span) -> NoReturn:
         alike = [each for each in self._values if each.casefold() == name.casefold()]
         hint = f"; did you mean `{alike[0]}`?" if len(alike) == 1 else suggestion(name, self._values)
-        message = f"`|{name}|` has no value, and is not taken for empty text; give it one with `-D {name}=...`{hint}"
+        given = self._job.inputs.ways.define.format(f"{name}=...")
+        message = f"`|{name}|` has no value, and is not taken for empty text; give it one with {given}{hint}"
         self._halt("undefined-variable", at, row, span, message)
 
     def _fault(self, kind: str, at: int, row: int, span: Span, message: str) -> Fault:

@@ -134,7 +134,10 @@ class Compiler:
 
     def undecided(self, unit: Unit, row: int, node: LineNode) -> Halt:
         """The end of a run that hangs on the operator's switch."""
-        message = "whether this line runs is decided at the machine, and the lines behind it depend on it; say --block-delete on or off"
+        switch = self.state.job.inputs.ways.switch
+        message = (
+            f"whether this line runs is decided at the machine, and the lines behind it depend on it; say {switch}"
+        )
         return self.state.fault("block-delete-state", unit.file, row, Span(0, len(node.text.rstrip())), message)
 
     def _compile(self, unit: Unit, row: int) -> Op:

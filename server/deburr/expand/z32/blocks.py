@@ -259,7 +259,8 @@ def optional(state: State, node: LineNode) -> bool | None:
 
 def undecided(state: State, unit: Unit, row: int, text: str) -> Halt:
     """The end of a run that hangs on the operator's switch."""
-    message = "whether this line runs is decided by the operator's switch, and the blocks behind it depend on what it does; say --block-delete on or off"
+    switch = state.job.inputs.ways.switch
+    message = f"whether this line runs is decided by the operator's switch, and the blocks behind it depend on what it does; say {switch}"
     span = Span(len(text) - len(text.lstrip()), len(text.rstrip()))
     return state.fault("optional-state", Place(unit.file, row, span), message)
 

@@ -264,20 +264,25 @@ class Values:
         return found
 
     def _unset(self, name: str, part: Node | Token) -> Halt:
+        ways = self._state.job.inputs.ways
+        given = ways.define.format(f"{name}=...")
         if name in self._state.uncertain:
-            message = f"`{name}` was last set on an optional line, so its value depends on the operator's switch; say --block-delete on or off"
+            message = f"`{name}` was last set on an optional line, so its value depends on the operator's switch; say {ways.switch}"
         elif name in self._state.axes:
-            message = f"no word for the axis `{name}` has been run yet, so its value depends on where the machine stands; program it before, or say -D {name}=..."
+            message = f"no word for the axis `{name}` has been run yet, so its value depends on where the machine stands; program it before, or say {given}"
         else:
-            message = f"`{name}` has no value yet, so what it holds depends on what ran before; set it first, or say -D {name}=...{suggestion(name, self._state.params)}"
+            message = f"`{name}` has no value yet, so what it holds depends on what ran before; set it first, or say {given}{suggestion(name, self._state.params)}"
         return self.halt("read-before-set", part, message)
 
     def _unset_element(self, is_pal: bool, at: int, vector: Node) -> Halt:
         name = f"PA{'L' if is_pal else 'R'}[{at}]"
+        given = self._state.job.inputs.ways.define.format(f"{name}=...")
         if is_pal and at >= MACHINE:
-            message = f"`{name}` is written by the machine, and no value is given for it; the setting `pal` or -D {name}=... gives one"
+            message = f"`{name}` is written by the machine, and no value is given for it; the setting `pal` or {given} gives one"
             return self.halt("pal-machine-value", vector, message)
-        message = f"`{name}` has no value yet, so what it holds depends on what ran before; set it first, or say -D {name}=..."
+        message = (
+            f"`{name}` has no value yet, so what it holds depends on what ran before; set it first, or say {given}"
+        )
         return self.halt("read-before-set", vector, message)
 
     def _unaliased(self, part: Node | Token) -> Halt:
