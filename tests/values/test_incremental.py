@@ -17,6 +17,7 @@ from deburr.values import ledger, values_of
 from deburr.values.kept import Kept
 from deburr.values.metagcode import flow
 from deburr.values.program import Program
+from deburr.values.rs274 import lines
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
 from deburr_grammar.text import Edit, Pos
@@ -38,6 +39,8 @@ KEPT = (
     "deburr.values.metagcode.flow._graphs",
 )
 """Where anything is kept by what lines say."""
+KEPT_LINES = ((flow, "_node"), (lines, "_line"))
+"""Where something is kept for each line."""
 
 
 def _rs274(seed: int) -> Source:
@@ -125,7 +128,8 @@ def _fresh() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         for name in KEPT:
             patch.setattr(name, Kept[Any]())
-        patch.setattr(flow, "_node", lru_cache(unwrap(flow._node)))
+        for module, name in KEPT_LINES:
+            patch.setattr(module, name, lru_cache(unwrap(getattr(module, name))))
         yield
 
 

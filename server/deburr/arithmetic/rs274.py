@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import Any
 
 from deburr.arithmetic import ArithmeticFault, Refusal, extended, tried
@@ -60,7 +61,13 @@ def atan(y: float, x: float) -> float:
 
 def spelled(text: str, part: Node | Token) -> str:
     """An operator's or a function's canonical spelling."""
-    return "".join(text[part.start : part.end].split()).upper()
+    return canonical(text[part.start : part.end])
+
+
+@lru_cache(maxsize=256)
+def canonical(said: str) -> str:
+    """The same of one that is cut out."""
+    return "".join(said.split()).upper()
 
 
 def _operation(text: str, part: Node, settings: Mapping[str, Any]) -> Value:

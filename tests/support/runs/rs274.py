@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, lru_cache
+from inspect import unwrap
 
 import pytest
 
@@ -17,7 +18,7 @@ from deburr.expand.rs274.unit import Block, Op, Unit
 from deburr.finding import Finding
 from deburr.values import operations, proofs, proving
 from deburr.values.graph import Env
-from deburr.values.rs274 import expressions
+from deburr.values.rs274 import expressions, lines
 from deburr_grammar.dialect import Role
 from support import loops
 from support.programs import generated
@@ -150,6 +151,8 @@ class _Watch:
 def _minus_that_adds(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(operations, "minus", operations.plus)
     patch.setattr(expressions, "lifted_operation", cache(expressions.lifted_operation.__wrapped__))
+    # Lines keep what they were compiled to.
+    patch.setattr(lines, "_line", lru_cache(unwrap(lines._line)))
 
 
 def _loops_that_all_never_end(patch: pytest.MonkeyPatch) -> None:

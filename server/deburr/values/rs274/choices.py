@@ -4,20 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from deburr.arithmetic.rs274 import TOLERANCE
 from deburr.finding import Severity
 from deburr.values.graph import Calls, Dead, Env, Flows, Loop, Proof
-from deburr.values.rs274.conditions import Conditions
 from deburr.values.rs274.expressions import NEAR
 from deburr.values.rs274.made import Block, Made
 from deburr_grammar.dialects.rs274.outline import aborts
-from deburr_grammar.text import Span
 from deburr_grammar.tree import Node as Part
 from deburr_grammar.tree import Token, walk
 
 if TYPE_CHECKING:
-    from deburr.values.rs274.conditions import Learn
-    from deburr.values.rs274.expressions import Get
     from deburr.values.rs274.lines import Taken
 
 CONSTANT = "condition-constant"
@@ -40,30 +35,26 @@ class Choices(Made):
         self._decide(number, then, otherwise, dead)
 
     def _decide(self, number: int, then: int, otherwise: int, dead: tuple[Dead, ...]) -> None:
-        learn, get = self._learn()
-        condition = self._groups[0]
+        learned = self._compiled.ways
+        condition = self._compiled.groups[0]
 
         def decided(env: Env, calls: Calls) -> Flows:
-            get(env)
-            ways = ((then, learn(env, True)), (otherwise, learn(env, False)))
-            return tuple((to, values) for to, values in ways if values is not None)
+            held, failed = learned.of(env)
+            ways = ((then, held), (otherwise, failed))
+            return tuple([(to, changes.on(env)) for to, changes in ways if changes is not None])
 
-        self._add(decided, condition=Span(condition.start, condition.end), number=number, dead=dead)
+        self._add(decided, condition=self._compiled.expressions.span(condition), number=number, dead=dead)
 
     def _repeat(self, block: Block) -> None:
-        get, body, behind = (
-            self._expressions.value(self._groups[0]),
-            self._builder.behind(self._at),
-            self._builder.behind(block.last),
-        )
-        group = self._groups[0]
-        span, said = Span(group.start, group.end), self._expressions.said(group)
+        values, group = self._compiled.values, self._compiled.groups[0]
+        body, behind = self._builder.behind(self._at), self._builder.behind(block.last)
+        span, said = self._compiled.expressions.span(group), self._compiled.expressions.said(group)
         remarks: list[Proof] = []
         literal = all(part.kind != "param" for part in walk(group))
 
         def counted(env: Env, calls: Calls) -> Flows:
-            times = get(env)
             remarks.clear()
+            times = values.of(env)[0]
             if not literal and times.exact and abs(times.low - round(times.low)) > NEAR:
                 message = (
                     f"`{said}` is {times.low:g} here, which is no integer; the control rounds it to {round(times.low)}"
@@ -77,7 +68,7 @@ class Choices(Made):
             2 * self._at,
             self._at,
             counted,
-            self._expressions,
+            self._compiled.expressions,
             condition=span,
             dead=dead,
             remark=lambda: remarks[0] if remarks else None,
@@ -88,27 +79,31 @@ class Choices(Made):
         self._add(lambda env, calls: tuple((to, env) for to in ways))
 
     def _loop(self, block: Block, head: int, test: int) -> None:
-        o_line = self._o_line
+        o_line = self._compiled.o_line
         assert o_line is not None, "a loop has an O-word"
         self._builder.loops.append(
-            Loop(head, 2 * block.first, 2 * block.last, 2 * test, Span(o_line.start, o_line.end), "limit")
+            Loop(head, 2 * block.first, 2 * block.last, 2 * test, self._compiled.expressions.span(o_line), "limit")
         )
 
     def _idle(self, target: int, why: str, kind: str = IDLE, severity: Severity | None = None) -> tuple[Dead, ...]:
         """A way that this line's condition never goes. Of one without parameters, or with EXISTS, nobody expects that it hangs on anything."""
-        group = self._groups[0]
+        group = self._compiled.groups[0]
         parts = {part.kind for part in walk(group)}
         if "param" not in parts or "exists" in parts or any(_is_chained(part) for part in walk(group)):
             return ()
-        return (Dead(target, kind, Span(group.start, group.end), f"`{self._expressions.said(group)}` {why}", severity),)
+        return (
+            Dead(
+                target,
+                kind,
+                self._compiled.expressions.span(group),
+                f"`{self._compiled.expressions.said(group)}` {why}",
+                severity,
+            ),
+        )
 
     def _is_guard(self, block: Block) -> bool:
         last = next((middle for middle in block.middles if middle > self._at), block.last)
         return any(_leaves(line) for line in self._builder.lines[self._at + 1 : last])
-
-    def _learn(self) -> tuple[Learn, Get]:
-        conditions = Conditions(self._line.node.text, self._expressions, TOLERANCE[self._builder.settings["compare"]])
-        return conditions.learn(self._groups[0]), self._expressions.value(self._groups[0])
 
     def _otherwise(self, block: Block, at: int) -> int:
         """Where it goes on when the condition of a line does not hold."""

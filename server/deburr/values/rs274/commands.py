@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
-from typing import TYPE_CHECKING
+from collections.abc import Hashable, Sequence
 
 from deburr.values.graph import RETURN, STOP, Calls, Env, Flows, Proof
 from deburr.values.rs274.choices import Choices
+from deburr.values.rs274.compiled import Acts
 from deburr.values.rs274.entering import Entering
-from deburr.values.rs274.keys import ANYTHING, put, set_by
+from deburr.values.rs274.keys import ANYTHING, put
 from deburr_grammar.dialects.rs274.outline import aborts
-from deburr_grammar.text import Span
-from deburr_grammar.tree import Node as Part
 
-if TYPE_CHECKING:
-    from deburr.values.rs274.expressions import Get
+
+class Executed:
+    """The flow of a line that is always run: that of most nodes, so it is one object and no function with its own room."""
+
+    __slots__ = ("_acts", "_behind")
+
+    def __init__(self, acts: Acts, behind: int) -> None:
+        self._acts = acts
+        self._behind = behind
+
+    def __call__(self, env: Env, calls: Calls) -> Flows:
+        """What comes next."""
+        return ((self._behind, put(env, self._acts.of(env))),)
 
 
 class Commands(Choices, Entering):
@@ -22,7 +31,7 @@ class Commands(Choices, Entering):
 
     def unread(self) -> None:
         """A line that cannot be read: the control stops there, or whoever mends it may set anything."""
-        expressions, behind = self._expressions, self._builder.behind(self._at)
+        expressions, behind = self._compiled.expressions, self._builder.behind(self._at)
 
         def passed(env: Env, calls: Calls) -> Flows:
             expressions.doubtful = True
@@ -82,43 +91,37 @@ class Commands(Choices, Entering):
 
     def block(self) -> None:
         """A line that sets parameters and moves the machine."""
-        node, expressions = self._line.node, self._expressions
-        settings: list[tuple[Callable[[Env], tuple[Hashable, ...] | None], Get]] = []
-        words: list[Get] = []
-        sets: list[Hashable] = []
-        for part in (child.children[0] for child in node.tree.nodes() if child.kind == "item"):
-            if isinstance(part, Part) and part.kind == "setting" and isinstance(param := part.children[0], Part):
-                settings.append((expressions.target(param), expressions.value(part.children[2])))
-                sets.append(set_by(expressions, param))
-            elif isinstance(part, Part) and part.kind == "word":
-                words.append(expressions.value(part.children[1]))
-        behind = self._behind()
+        node = self._line.node
         deleted = self._builder.delete if "DELETE" in node.kinds else False
-        percent, stopping = "PERCENT" in node.kinds, aborts(node.text)
+        if "PERCENT" in node.kinds or deleted is True:
+            # The first percent sign frames the program, the second ends it; what follows that one is not read.
+            self._jump(self._builder.behind(self._at))
+            return
+        acts, sets = self._compiled.acts
+        behind, stopping = self._behind(), aborts(node.text)
+        if deleted is None or stopping:
+            self._perhaps(acts, sets, (behind, STOP) if stopping else (behind,), deleted is None)
+        elif acts is None:
+            self._jump(behind)
+        else:
+            self._add(Executed(acts, behind), sets)
+
+    def _perhaps(self, acts: Acts | None, sets: Sequence[Hashable], ways: tuple[int, ...], deleted: bool) -> None:
+        """A line that may be passed over, or stop the program: of several comments only the last one acts."""
+        expressions, passed = self._compiled.expressions, self._builder.behind(self._at)
 
         def executed(env: Env, calls: Calls) -> Flows:
-            puts = [(target(env), get(env)) for target, get in settings]
-            for get in words:
-                get(env)
-            found = put(env, puts)
-            # Of several comments only the last one acts.
-            return ((behind, found), (STOP, found)) if stopping else ((behind, found),)
+            found = put(env, acts.of(env)) if acts is not None else env
+            return tuple((to, found) for to in ways)
 
         def maybe(env: Env, calls: Calls) -> Flows:
-            passed = (self._builder.behind(self._at), env)
             try:
-                return (*executed(env, calls), passed)
+                return (*executed(env, calls), (passed, env))
             except Proof:
                 expressions.doubtful = True
-                return (passed,)
+                return ((passed, env),)
 
-        if percent:
-            # The first one frames the program, the second ends it; what follows that one is not read.
-            self._jump(self._builder.behind(self._at))
-        elif deleted is True:
-            self._jump(self._builder.behind(self._at))
-        else:
-            self._add(executed if deleted is False else maybe, sets)
+        self._add(maybe if deleted else executed, sets)
 
     def _behind(self) -> int:
         if self._line.ends:
@@ -126,16 +129,15 @@ class Commands(Choices, Entering):
         return self._builder.end if self._line.returns else self._builder.behind(self._at)
 
     def _return(self) -> None:
-        values = [self._expressions.value(group) for group in self._groups]
+        values = self._compiled.values
 
         def returned(env: Env, calls: Calls) -> Flows:
-            for get in values:
-                get(env)
+            values.of(env)
             return ((RETURN, env),)
 
         self._add(returned)
 
     def _sub(self) -> None:
-        o_line, behind = self._o_line, self._builder.behind(self._at)
-        span = Span(o_line.start, o_line.end) if o_line is not None else None
-        self._add(lambda env, calls: ((behind, env),), condition=span)
+        o_line = self._compiled.o_line
+        span = self._compiled.expressions.span(o_line) if o_line is not None else None
+        self._jump(self._builder.behind(self._at), condition=span)

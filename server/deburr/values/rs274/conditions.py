@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from deburr.arithmetic.rs274 import spelled
 from deburr.values.domain import ANY, Value, above, apart, below, near, only_zero, truth, without_zero
 from deburr.values.graph import Env
 from deburr_grammar.tree import Node, Token
@@ -23,8 +22,7 @@ _MIRRORED = {"LT": "GT", "GT": "LT", "LE": "GE", "GE": "LE", "EQ": "EQ", "NE": "
 class Conditions:
     """Compiles what the conditions of one line teach."""
 
-    def __init__(self, text: str, expressions: Expressions, tolerance: float) -> None:
-        self._text = text
+    def __init__(self, expressions: Expressions, tolerance: float) -> None:
         self._expressions = expressions
         self._near = tolerance
         self._tolerant = tolerance < 1e-4
@@ -62,7 +60,7 @@ class Conditions:
 
     def _logical(self, part: Node) -> Learn:
         left, sign, right = part.children
-        word = spelled(self._text, sign)
+        word = self._expressions.spelled(sign)
         alone = self._value_alone(part)
         if word == "XOR":
             return alone
@@ -79,7 +77,7 @@ class Conditions:
 
     def _comparison(self, part: Node) -> Learn:
         left, sign, right = part.children
-        word = spelled(self._text, sign)
+        word = self._expressions.spelled(sign)
         alone = self._value_alone(part)
         sides = list(self._sides(left, right, word))
 

@@ -10,7 +10,8 @@ from deburr.values.rs274.expressions import ARGUMENTS
 from deburr.values.rs274.keys import ANYTHING, is_shared
 from deburr.values.rs274.lines import UNSEEN
 from deburr.values.rs274.made import Made, Torn
-from deburr_grammar.tree import Node as Part
+
+_NO_ARGUMENTS: Env = dict.fromkeys(range(1, ARGUMENTS + 1), NO)
 
 
 class Entering(Made):
@@ -18,21 +19,16 @@ class Entering(Made):
 
     def call(self) -> None:
         """A call with its arguments."""
-        o_line = self._o_line
+        o_line = self._compiled.o_line
         if o_line is None or o_line.find("CALL") is None or "DELETE" in self._line.node.kinds:
             raise Torn
-        label = self._label(o_line)
-        arguments = [self._expressions.value(group) for group in self._groups]
-        expressions, behind = self._expressions, self._builder.behind(self._at)
-        part = o_line.node("label")
-        computed = expressions.value(part.children[0]) if part is not None and label is None else None
+        label, arguments = self._compiled.label, self._compiled.arguments
+        expressions, behind = self._compiled.expressions, self._builder.behind(self._at)
         self._builder.callees.add(label if label is not None else UNSEEN)
 
         def called(env: Env, calls: Calls) -> Flows:
-            if computed is not None:
-                computed(env)
-            values: Env = {at: get(env) for at, get in enumerate(arguments, 1)}
-            values.update((at, NO) for at in range(len(arguments) + 1, ARGUMENTS + 1))
+            passed = arguments.of(env)
+            values: Env = {**_NO_ARGUMENTS, **dict(enumerate(passed, 1))}
             shared = {key: value for key, value in env.items() if is_shared(key)}
             expressions.doubtful = True
             found = calls.call(label if label is not None else UNSEEN, values, shared)
@@ -48,9 +44,8 @@ class Entering(Made):
 
     def enter(self) -> None:
         """A line that runs a program by its number, with which it shares all but names of its own, or that may do anything."""
-        expressions, behind, label = self._expressions, self._builder.behind(self._at), self._line.enters
-        settings = [part.children[0] for part in self._line.node.find("setting")]
-        own = {expressions.name(param) for param in settings if isinstance(param, Part)}
+        expressions, behind, label = self._compiled.expressions, self._builder.behind(self._at), self._line.enters
+        own = {expressions.name(param) for param in self._compiled.settings}
         is_known, is_unseen = label in self._builder.numbered, label == UNSEEN
 
         def entered(env: Env, calls: Calls) -> Flows:
@@ -63,12 +58,6 @@ class Entering(Made):
         self._builder.callees.add(UNSEEN)
         sets = (None, ANYTHING) if is_unseen else (None, *own)
         self._builder.add(2 * self._at, self._at, entered, expressions, sets, calls=True)
-
-    def _label(self, o_line: Part) -> str | None:
-        from deburr_grammar.dialects.rs274.outline import label_of
-
-        label = o_line.node("label")
-        return label_of(self._line.node.text, label) if label is not None else None
 
 
 def _is_own(key: Hashable) -> bool:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable, Mapping
-from functools import cache
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from functools import cache, lru_cache
 from typing import Any
 
 from deburr.arithmetic import Refusal
-from deburr.arithmetic.rs274 import TOLERANCE, atan, function, number, operation, spelled
+from deburr.arithmetic.rs274 import TOLERANCE, atan, canonical, function, number, operation
 from deburr.values import operations as on
 from deburr.values.domain import ANY, EITHER, Value, exactly, joined, read
 from deburr.values.graph import Env, Proof
+from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
@@ -25,6 +26,8 @@ FREE = 5000
 """Above it the control sets parameters, too: nothing is ever known of them."""
 _MAY_BE_INFINITE = frozenset(("sum", "product", "quotient", "modulo", "power"))
 _OPERATIONS = _MAY_BE_INFINITE | {"comparison", "logical"}
+_SHARED = 1_024
+"""So much of what hangs on no line is kept."""
 _MOST = 40
 """Of so many parameters the values are joined where one of them is meant."""
 
@@ -32,32 +35,40 @@ _MOST = 40
 class Expressions:
     """Compiles the expressions of one line. ``used``: the parameters that they read; None among them: who knows which."""
 
-    def __init__(self, text: str, settings: Mapping[str, Any], predefined: Callable[[str], bool]) -> None:
-        self._text = text
+    __slots__ = ("_begun", "_last", "_near", "_text", "_to", "dialect", "doubtful", "used")
+
+    def __init__(self, line: LineNode, settings: Mapping[str, Any]) -> None:
+        """``line``: parts of its shape's tree are compiled, because all lines of a shape share that one."""
+        shape = line.shape.text
+        self._text = line.text
+        self._to = None if line.text == shape else line.dialect.folding.columns(line.text).table(len(shape))
         self._near = TOLERANCE[settings["compare"]]
         self._last = LAST[settings["profile"]]
-        self.is_predefined = predefined
+        self.dialect = line.dialect
         self._begun: set[str] = set()
         self.used: set[Hashable] = set()
         self.doubtful = False
         """Whether something may have failed since it was last set to False."""
 
+    def is_doubtful(self) -> bool:
+        """The same, as a node is asked."""
+        return self.doubtful
+
     def value(self, part: Node | Token) -> Get:
-        """What calculates a value."""
+        """What calculates the value of a part of the shape's tree."""
         if isinstance(part, Token):
-            literal = exactly(number(self.said(part)))
-            return lambda env: literal
+            return _literally(self.said(part))
         if part.kind in _OPERATIONS:
             left, sign, right = part.children
-            return self._applied(part, lifted_operation(spelled(self._text, sign), self._near), left, right)
+            return self._applied(part, lifted_operation(self.spelled(sign), self._near), left, right)
         match part.kind:
             case "signed":
                 inner = self.value(part.children[1])
-                return inner if self._text[part.start] == "+" else lambda env: on.negative(inner(env))
+                return inner if self.said(part).startswith("+") else _negative(inner)
             case "param":
                 return self._read(part)
             case "function":
-                return self._applied(part, FUNCTIONS[spelled(self._text, part.children[0])], part.children[1])
+                return self._applied(part, FUNCTIONS[self.spelled(part.children[0])], part.children[1])
             case "atan":
                 return self._applied(part, ATAN, part.children[1], part.children[3])
             case "exists":
@@ -72,11 +83,13 @@ class Expressions:
         name = self.name(param)
         if name is not None:
             self._begun.add(name)
-            return self._named_target(param, name)
+            return self._named_target(name)
         at = self.literal(param)
         if at is not None:
-            keys = (at,)
-            return lambda env: keys
+            return _only(at)
+        return self._computed_target(param)
+
+    def _computed_target(self, param: Node) -> Callable[[Env], tuple[Hashable, ...] | None]:
         index = self._index(param)
 
         def found(env: Env) -> tuple[Hashable, ...] | None:
@@ -102,20 +115,38 @@ class Expressions:
 
     def said(self, part: Node | Token) -> str:
         """The text of a part."""
-        return self._text[part.start : part.end]
+        span = self.span(part)
+        return self._text[span.start : span.end]
+
+    def spelled(self, part: Node | Token) -> str:
+        """An operator's or a function's canonical spelling."""
+        return canonical(self.said(part))
+
+    def span(self, part: Node | Token) -> Span:
+        """The columns of a part in the line."""
+        if self._to is None:
+            return Span(part.start, part.end)
+        return Span(self._to[part.start], self._to[part.end])
+
+    def is_predefined(self, name: str) -> bool:
+        """Whether only the control sets a name."""
+        if not name.startswith("_"):
+            return False
+        return name.startswith(("_hal[", "_ini[", "_abs_")) or self.dialect.codes.entry("variable", name) is not None
 
     def proof(self, kind: str, part: Node | Token, message: str) -> Proof:
         """What is certain to go wrong at a part of this line."""
-        return Proof(kind, Span(part.start, part.end), message)
+        return Proof(kind, self.span(part), message)
 
     def _applied(self, part: Node, apply: on.Lifted, *operands: Node | Token) -> Get:
         gets = [self.value(operand) for operand in operands]
         may_refuse = part.kind in ("quotient", "power") or apply in _MAY_REFUSE
         if not may_refuse and len(gets) == 2:
             # Nothing can go wrong here: most operations are of this sort.
-            left, right = gets
-            return lambda env: apply(left(env), right(env))
+            return _both(apply, *gets)
+        return self._may_refuse(part, apply, gets, may_refuse)
 
+    def _may_refuse(self, part: Node, apply: on.Lifted, gets: Sequence[Get], may_refuse: bool) -> Get:
         def found(env: Env) -> Value:
             values = [get(env) for get in gets]
             try:
@@ -139,7 +170,9 @@ class Expressions:
 
         def found(env: Env) -> Value:
             value = get(env)
-            self.doubtful = self.doubtful or value.wild
+            if not value.wild:
+                return value
+            self.doubtful = True
             try:
                 return on.finite(value)
             except Refusal as refused:
@@ -168,7 +201,10 @@ class Expressions:
         at = self.literal(param)
         if at is not None:
             self.used.add(at)
-            return lambda env: env.get(at, ANY)
+            return _numbered(at)
+        return self._read_computed(param)
+
+    def _read_computed(self, param: Node) -> Get:
         index = self._index(param)
 
         def found(env: Env) -> Value:
@@ -204,33 +240,74 @@ class Expressions:
     def _read_named(self, param: Node, name: str) -> Get:
         self.used.add(name)
         if self.is_predefined(name):
-            return lambda env: ANY
-        begun = name in self._begun
+            return _anything
+        return _Named(self, param, name, name in self._begun)
 
-        def found(env: Env) -> Value:
-            value = env.get(name, ANY)
-            if not value.unset:
-                return value
-            if begun:
-                return joined(read(value), exactly(0.0))
-            self.doubtful = True
-            if value.empty and not value.wild:
-                message = f"`{self.said(param)}` has no value here, on whatever way the program comes to this line; the control stops"
-                raise self.proof("named-undefined", param, message)
-            return read(value)
-
-        return found
-
-    def _named_target(self, param: Node, name: str) -> Callable[[Env], tuple[Hashable, ...] | None]:
-        predefined = self.is_predefined(name)
+    def _named_target(self, name: str) -> Callable[[Env], tuple[Hashable, ...] | None]:
+        if not self.is_predefined(name):
+            return _only(name)
 
         def found(env: Env) -> tuple[Hashable, ...]:
-            if predefined:
-                self.doubtful = True
-                return ()
-            return (name,)
+            self.doubtful = True
+            return ()
 
         return found
+
+
+class _Named:
+    """What reads a named parameter: most of what lines read, so it is one object and no function with its own room."""
+
+    __slots__ = ("_begun", "_expressions", "_name", "_param")
+
+    def __init__(self, expressions: Expressions, param: Node, name: str, begun: bool) -> None:
+        """``begun``: whether the line itself sets it, so that it exists."""
+        self._expressions = expressions
+        self._param = param
+        self._name = name
+        self._begun = begun
+
+    def __call__(self, env: Env) -> Value:
+        value = env.get(self._name, ANY)
+        return self._unset(value) if value.unset else value
+
+    def _unset(self, value: Value) -> Value:
+        if self._begun:
+            return joined(read(value), exactly(0.0))
+        expressions, param = self._expressions, self._param
+        expressions.doubtful = True
+        if value.empty and not value.wild:
+            message = f"`{expressions.said(param)}` has no value here, on whatever way the program comes to this line; the control stops"
+            raise expressions.proof("named-undefined", param, message)
+        return read(value)
+
+
+@lru_cache(maxsize=_SHARED)
+def _literally(said: str) -> Get:
+    value = exactly(number(said))
+    return lambda env: value
+
+
+@lru_cache(maxsize=_SHARED)
+def _numbered(at: int) -> Get:
+    return lambda env: env.get(at, ANY)
+
+
+@lru_cache(maxsize=_SHARED)
+def _only(key: Hashable) -> Callable[[Env], tuple[Hashable, ...] | None]:
+    keys = (key,)
+    return lambda env: keys
+
+
+def _both(apply: on.Lifted, left: Get, right: Get) -> Get:
+    return lambda env: apply(left(env), right(env))
+
+
+def _negative(inner: Get) -> Get:
+    return lambda env: on.negative(inner(env))
+
+
+def _anything(env: Env) -> Value:
+    return ANY
 
 
 def _numbers(value: Value) -> tuple[Hashable, ...] | None:

@@ -8,19 +8,23 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Generator, Hashable, Mapping, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from deburr.steps import paced
-from deburr.values.graph import Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof
+from deburr.values.graph import Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof, silent
 from deburr.values.rs274.commands import Commands
-from deburr.values.rs274.expressions import Expressions
-from deburr.values.rs274.keys import ANYTHING, is_predefined, is_shared, shared
+from deburr.values.rs274.keys import ANYTHING, is_shared, shared
 from deburr.values.rs274.made import Block, Torn
 from deburr_grammar.dialect import Role
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
+    from deburr.values.rs274.expressions import Expressions
     from deburr.values.rs274.lines import Taken
+
+_SHARED = 1_024
+"""So many ways that lead on are kept, whatever line they are behind."""
 
 
 class Builder:
@@ -111,9 +115,7 @@ class Builder:
         raise Torn
 
     def _take(self, at: int, line: Taken) -> None:
-        text = line.node.text
-        expressions = Expressions(text, self.settings, lambda name: is_predefined(line, name))
-        commands = Commands(self, at, line, expressions)
+        commands = Commands(self, at, line)
         command = line.bracket.word.upper() if line.bracket is not None else ""
         if line.node.problems:
             commands.unread()
@@ -143,17 +145,22 @@ class Builder:
         callee: str | None = None,
         calls: bool = False,
         dead: tuple[Dead, ...] = (),
-        remark: Callable[[], Proof | None] = lambda: None,
+        remark: Callable[[], Proof | None] = silent,
     ) -> None:
-        """Take a node in. ``sets``: what it may set; None among them: who knows which number."""
-
-        def flowing(env: Env, calls: Calls) -> Flows:
-            expressions.doubtful = False
-            return flow(env, calls)
-
-        used = frozenset(expressions.used)
+        """Take a node in, whose flow says whether it is doubtful. ``sets``: what it may set; None among them: who knows which number."""
+        used, to_set = frozenset(expressions.used), frozenset(sets)
         self._used |= used
-        self._sets.update(set(sets))
+        if to_set:
+            self._sets.update(to_set)
         self._nodes[number] = Node(
-            at, flowing, used, frozenset(sets), condition, lambda: expressions.doubtful, callee, calls, remark, dead
+            at, flow, used, to_set, condition, expressions.is_doubtful, callee, calls, remark, dead
         )
+
+    def jump(self, number: int, at: int, to: int, condition: Span | None = None) -> None:
+        """Take a node in that only goes on elsewhere."""
+        self._nodes[number] = Node(at, _to(to), condition=condition)
+
+
+@lru_cache(maxsize=_SHARED)
+def _to(to: int) -> Callable[[Env, Calls], Flows]:
+    return lambda env, calls: ((to, env),)

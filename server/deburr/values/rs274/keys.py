@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Union
 
 from deburr.values.domain import ANY, Value, joined
 from deburr.values.graph import Env
@@ -11,7 +11,6 @@ from deburr.values.rs274.expressions import ARGUMENTS
 
 if TYPE_CHECKING:
     from deburr.values.rs274.expressions import Expressions
-    from deburr.values.rs274.lines import Taken
     from deburr_grammar.tree import Node as Part
 
 ANYTHING = " "
@@ -23,7 +22,11 @@ def is_shared(key: Hashable) -> bool:
     return key.startswith("_") if isinstance(key, str) else isinstance(key, int) and key > ARGUMENTS
 
 
-def put(env: Env, puts: Sequence[tuple[tuple[Hashable, ...] | None, Value]]) -> Env:
+Put = tuple[Union[tuple[Hashable, ...], None], Value]
+"""Parameters of which one is set, and to what; None: who knows which."""
+
+
+def put(env: Env, puts: Sequence[Put]) -> Env:
     """The values behind a line that sets some."""
     if not puts:
         return env
@@ -51,10 +54,3 @@ def set_by(expressions: Expressions, param: Part) -> Hashable:
 def shared(keys: set[Hashable]) -> frozenset[Hashable] | None:
     """Those that other routines can set and read; None: who knows which."""
     return None if None in keys else frozenset(key for key in keys if is_shared(key))
-
-
-def is_predefined(line: Taken, name: str) -> bool:
-    """Whether only the control sets a name."""
-    if not name.startswith("_"):
-        return False
-    return name.startswith(("_hal[", "_ini[", "_abs_")) or line.node.dialect.codes.entry("variable", name) is not None

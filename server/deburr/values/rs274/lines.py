@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Generator, Hashable, Iterator, Sequence
 from functools import lru_cache, partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from deburr.values.kept import line_of
+from deburr.values.kept import LINES
+from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.rs274.outline import aborts, codes, computes_code, ends
+from deburr_grammar.line import LineNode
 from deburr_grammar.tree import Token
 
 if TYPE_CHECKING:
     from deburr_grammar.dialect import Bracket, Reading
     from deburr_grammar.document import Document, Piece
-    from deburr_grammar.line import LineNode, Shape
+    from deburr_grammar.line import Shape
 
 UNSEEN = " "
 """The label of a call of which only the run knows where it leads. No label has a blank in it."""
@@ -30,35 +32,59 @@ _MOST = 20_000
 _LINES, _VALUES = "lines that take part", "parameters"
 
 
-class Taken(NamedTuple):
-    """A line that takes part, with what it opens or closes.
+class Taken:
+    """A line that takes part, with what it opens or closes. Where it stands is said beside it, so that equal lines are one object.
 
     ``ends``: whether it ends the program; ``returns``: whether its M99 may end what M98 called; ``enters``: the number of the program that
     its M98 calls, `UNSEEN` of a line that may call anything, empty of one that calls nothing so; ``is_start``: whether a program that M98 calls starts here.
     """
 
-    row: int
-    node: LineNode
-    bracket: Bracket | None
-    ends: bool = False
-    returns: bool = False
-    enters: str = ""
-    is_start: bool = False
+    __slots__ = ("bracket", "ends", "enters", "is_start", "memo", "node", "parts_here", "returns")
+
+    def __init__(
+        self,
+        node: LineNode,
+        bracket: Bracket | None,
+        ends: bool = False,
+        returns: bool = False,
+        enters: str = "",
+        is_start: bool = False,
+    ) -> None:
+        self.node = node
+        self.bracket = bracket
+        self.ends = ends
+        self.returns = returns
+        self.enters = enters
+        self.is_start = is_start
+        self.parts_here = is_start or (bracket is not None and bracket.role in (Role.REGION, Role.END_REGION))
+        """Whether a routine starts or ends here."""
+        self.memo: dict[Hashable, Any] = {}
+        """Room for what is made of the line alone."""
 
 
-def taken(document: Document, remapped: Sequence[str] = ()) -> Generator[None, None, list[Taken] | None]:
+class Several(NamedTuple):
+    """Lines that take part, with the rows that they stand in."""
+
+    rows: list[int]
+    lines: list[Taken]
+
+
+def taken(document: Document, remapped: Sequence[str] = ()) -> Generator[None, None, Several | None]:
     """The lines that take part, in order, found in steps; None where there are too many. ``remapped``: codes to which the machine gives a meaning of its own."""
     foreign = _written(tuple(remapped))
-    found: list[Taken] = []
+    found = Several([], [])
     marks = partial(_marks, foreign)
     several = 0
     for piece in document.holding((_KEY, foreign), marks, _LINES):
-        several += _several(document, piece, foreign)
+        # To read them costs much more than to count them.
+        several += len(_wanted(piece, foreign))
         if several > _MOST:
             return None
         yield
     for piece in document.holding((_KEY, foreign), marks, _LINES):
-        found += [Taken(line.row + piece.line, *line[1:]) for line in _of_piece(document, piece, foreign)]
+        here, first = _of_piece(document, piece, foreign), piece.line
+        found.rows.extend([row + first for row in here.rows])
+        found.lines.extend(here.lines)
         yield
     return found
 
@@ -78,24 +104,35 @@ def _written(remapped: tuple[str, ...]) -> re.Pattern[str] | None:
 
 
 def _marks(foreign: re.Pattern[str] | None, piece: Piece) -> frozenset[str]:
-    found = {_LINES for _ in _wanted(piece, foreign)}
-    for reading, _, shapes in piece.read():
-        if reading.start is not None and any("param" in shape.facts(reading).kinds for shape in set(shapes)):
+    found = {_LINES} if _wanted(piece, foreign) else set()
+    for reading, shape in piece.distinct():
+        if reading.start is not None and "param" in shape.facts(reading).kinds:
             found.add(_VALUES)
     return frozenset(found)
 
 
-def _wanted(piece: Piece, foreign: re.Pattern[str] | None) -> Iterator[int]:
+def _wanted(piece: Piece, foreign: re.Pattern[str] | None) -> list[int]:
+    """The lines of a piece that take part, counted from its first; kept with its chunk."""
+    key = ("rs274 lines wanted", piece.outlined.runs, foreign)
+    found: list[int] | None = piece.chunk.memo.get(key)
+    if found is None:
+        found = piece.chunk.memo[key] = list(_found(piece, foreign))
+    return found
+
+
+def _found(piece: Piece, foreign: re.Pattern[str] | None) -> Iterator[int]:
+    if foreign is None:
+        yield from (at for at, _, _ in piece.where(lambda reading, shape: _takes_part(shape, reading)))
+        return
     for reading, first, shapes in piece.read():
-        if reading.start is None:
-            continue
-        wanted = {shape for shape in set(shapes) if _takes_part(shape, reading)}
-        for at, shape in enumerate(shapes, first) if wanted or foreign else ():
-            if shape in wanted or (foreign is not None and foreign.search(piece.chunk.line(at)) is not None):
+        for at, shape in enumerate(shapes, first) if reading.start is not None else ():
+            if _takes_part(shape, reading) or foreign.search(piece.chunk.line(at)) is not None:
                 yield at
 
 
 def _takes_part(shape: Shape, reading: Reading) -> bool:
+    if reading.start is None:
+        return False
     facts = shape.facts(reading)
     if not facts.kinds.isdisjoint(_PARTS) or (facts.problems and "#" in shape.text):
         return True
@@ -104,38 +141,32 @@ def _takes_part(shape: Shape, reading: Reading) -> bool:
     return not facts.kinds.isdisjoint(_CALCULATED) and computes_code(shape.text, shape.tree(reading))
 
 
-def _several(document: Document, piece: Piece, foreign: re.Pattern[str] | None) -> int:
-    """How many lines of a piece take part: to read them costs much more."""
-    key = ("rs274 lines that take part, counted", document.key(piece), foreign)
-    if key not in piece.chunk.memo:
-        piece.chunk.memo[key] = sum(1 for _ in _wanted(piece, foreign))
-    found: int = piece.chunk.memo[key]
-    return found
-
-
-def _of_piece(document: Document, piece: Piece, foreign: re.Pattern[str] | None) -> list[Taken]:
+def _of_piece(document: Document, piece: Piece, foreign: re.Pattern[str] | None) -> Several:
     key = ("rs274 lines that take part", document.key(piece), foreign)
-    if key not in piece.chunk.memo:
-        brackets = dict(piece.outlined.brackets)
-        piece.chunk.memo[key] = [
-            _line(at, line_of(piece, at), brackets.get(at), foreign) for at in _wanted(piece, foreign)
-        ]
-    found: list[Taken] = piece.chunk.memo[key]
+    found: Several | None = piece.chunk.memo.get(key)
+    if found is None:
+        brackets, reading = dict(piece.outlined.brackets), piece.outlined.reading
+        text, shapes, rows = piece.chunk.line, piece.chunk.shapes, _wanted(piece, foreign)
+        lines = [_line(text(at), reading(at), shapes[at], brackets.get(at), foreign) for at in rows]
+        found = piece.chunk.memo[key] = Several(rows, lines)
     return found
 
 
-def _line(at: int, node: LineNode, bracket: Bracket | None, foreign: re.Pattern[str] | None) -> Taken:
+@lru_cache(maxsize=LINES)
+def _line(text: str, reading: Reading, shape: Shape, bracket: Bracket | None, foreign: re.Pattern[str] | None) -> Taken:
+    """A line: one that says the same as before is the same, so that what hangs on it need not be found again."""
+    node = LineNode(text, reading, shape)
     if foreign is not None and foreign.search(node.text) is not None:
-        return Taken(at, node, bracket, enters=UNSEEN)
+        return Taken(node, bracket, enters=UNSEEN)
     if "PERCENT" in node.kinds:
-        return Taken(at, node, bracket, ends=True)
+        return Taken(node, bracket, ends=True)
     if bracket is not None or "o_line" in node.kinds:
         is_start = bracket is None and not node.problems and "CALL" not in node.kinds
-        return Taken(at, node, bracket, is_start=is_start)
+        return Taken(node, bracket, is_start=is_start)
     if not node.shape.needs_depth and _MAY_LEAVE.search(node.shape.text) is None:
-        return Taken(at, node, bracket)
+        return Taken(node, bracket)
     found = {code for code, _ in codes(node)}
-    return Taken(at, node, bracket, ends(found), "M99" in found, _entered(node, found))
+    return Taken(node, bracket, ends(found), "M99" in found, _entered(node, found))
 
 
 def _entered(node: LineNode, found: set[str]) -> str:

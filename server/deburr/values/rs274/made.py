@@ -6,10 +6,10 @@ from collections.abc import Callable, Hashable, Sequence
 from typing import TYPE_CHECKING
 
 from deburr.values.graph import Calls, Dead, Env, Flows
+from deburr.values.rs274.compiled import Compiled, compiled
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
-    from deburr.values.rs274.expressions import Expressions
     from deburr.values.rs274.flow import Builder
     from deburr.values.rs274.lines import Taken
 
@@ -32,15 +32,15 @@ class Block:
 class Made:
     """One line of which nodes are made."""
 
-    def __init__(self, builder: Builder, at: int, line: Taken, expressions: Expressions) -> None:
+    def __init__(self, builder: Builder, at: int, line: Taken) -> None:
         self._builder = builder
         self._at = at
         self._line = line
-        self._expressions = expressions
-        self._o_line = next(line.node.find("o_line"), None)
-        self._groups = (
-            [part for part in self._o_line.nodes() if part.kind == "group"] if self._o_line is not None else []
-        )
+
+    @property
+    def _compiled(self) -> Compiled:
+        """What the line asks of values; of one that only leads on nobody wants to know."""
+        return compiled(self._line, self._builder.settings)
 
     def _add(
         self,
@@ -51,7 +51,8 @@ class Made:
         dead: tuple[Dead, ...] = (),
     ) -> None:
         number = 2 * self._at if number is None else number
-        self._builder.add(number, self._at, flow, self._expressions, sets, condition, dead=dead)
+        self._builder.add(number, self._at, flow, self._compiled.expressions, sets, condition, dead=dead)
 
-    def _jump(self, to: int, number: int | None = None) -> None:
-        self._add(lambda env, calls: ((to, env),), number=number)
+    def _jump(self, to: int, number: int | None = None, condition: Span | None = None) -> None:
+        """Go on elsewhere, whatever the values are."""
+        self._builder.jump(2 * self._at if number is None else number, self._at, to, condition)

@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Generator, Mapping, Sequence
 from posixpath import basename, splitext
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
-from deburr.steps import paced
 from deburr.values.graph import RETURN, STOP, Env, Graph, unset
 from deburr.values.kept import Kept
 from deburr.values.program import Routine
 from deburr.values.rs274.files import File, Files
 from deburr.values.rs274.flow import Builder
-from deburr.values.rs274.lines import Taken, taken
+from deburr.values.rs274.lines import Several, Taken, taken
 from deburr.values.rs274.made import Torn
 from deburr_grammar.dialect import Role
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
+T = TypeVar("T")
 MAIN = "main program"
 """The name of the main program. No label has a blank in it."""
 _BY_NUMBER = " by number"
@@ -31,9 +31,10 @@ _graphs: Kept[Graph] = Kept()
 
 
 class _Part(NamedTuple):
-    """The lines of a routine, the label by which it is called, and the file in which it stands, if that is another one."""
+    """The lines of a routine with their rows, the label by which it is called, and the file in which it stands, if that is another one."""
 
     label: str
+    rows: Sequence[int]
     lines: Sequence[Taken]
     file: str | None = None
 
@@ -43,12 +44,12 @@ def routines_of(analysis: Analysis) -> Generator[None, None, Mapping[str, Routin
     if analysis.document.faults:
         return None
     lines = yield from taken(analysis.document, analysis.settings["remap"])
-    parts = (yield from _parts(lines)) if lines is not None else None
+    parts = _parts(lines) if lines is not None else None
     if parts is None:
         return None
     files = Files(analysis)
     numbered = _numbered(parts, files)
-    _graphs.fit(len(lines or ()))
+    _graphs.fit(sum(len(part.lines) for part in parts.values()))
     try:
         graphs: dict[str, Graph] = {}
         for name, part in parts.items():
@@ -66,14 +67,13 @@ def routines_of(analysis: Analysis) -> Generator[None, None, Mapping[str, Routin
         is_hidden = name != MAIN and (times[part.label] > 1 or files.has(part.label))
         known = f"{name} " if is_hidden else name
         entry = _start(analysis, graphs[name]) if name == MAIN else opened.get(name)
-        found[known] = Routine(known, [line.row for line in part.lines], graphs[name], entry)
+        found[known] = Routine(known, part.rows, graphs[name], entry)
         yield
     for part, graph in elsewhere:
         # Of two subprograms of one name, or of one that also has another file, nobody knows which is called.
         is_hidden = times[part.label] > 1 or not _is_in_own_file(files, part)
         known = f"{part.label} of {part.file}" if is_hidden else part.label
-        rows = [line.row for line in part.lines]
-        found[known] = Routine(known, rows, graph, None, [part.file or ""] * len(rows))
+        found[known] = Routine(known, part.rows, graph, None, [part.file or ""] * len(part.rows))
         yield
     return found
 
@@ -83,27 +83,34 @@ def _is_in_own_file(files: Files, part: _Part) -> bool:
     return file is None or file.path == part.file
 
 
-def _parts(lines: Sequence[Taken]) -> Generator[None, None, dict[str, _Part] | None]:
+def _parts(several: Several) -> dict[str, _Part] | None:
     """The lines of each routine. What stands behind a subprogram belongs to what stands before it."""
-    found: dict[str, list[Taken]] = {MAIN: []}
+    lines = several.lines
+    found: dict[str, list[slice]] = {MAIN: []}
     labels = {MAIN: ""}
     inside = outside = MAIN
-    for line in paced(lines):
-        if line is None:
-            yield
+    first = 0
+    for at in [at for at, line in enumerate(lines) if line.parts_here]:
+        line = lines[at]
+        if line.bracket is not None and line.bracket.role is Role.END_REGION:
+            found[inside].append(slice(first, at + 1))
+            first, inside = at + 1, outside
             continue
-        bracket = line.bracket
-        if bracket is not None and bracket.role is Role.REGION or line.is_start:
-            label = _label(line)
-            inside = f"{label}{_BY_NUMBER}" if line.is_start else label or ""
-            if label is None or inside in found or "DELETE" in line.node.kinds:
-                return None
-            labels[inside], found[inside] = label, []
-            outside = inside if line.is_start else outside
-        found[inside].append(line)
-        if bracket is not None and bracket.role is Role.END_REGION:
-            inside = outside
-    return {name: _Part(labels[name], part) for name, part in found.items()}
+        found[inside].append(slice(first, at))
+        label = _label(line)
+        first, inside = at, f"{label}{_BY_NUMBER}" if line.is_start else label or ""
+        if label is None or inside in found or "DELETE" in line.node.kinds:
+            return None
+        labels[inside], found[inside] = label, []
+        outside = inside if line.is_start else outside
+    found[inside].append(slice(first, len(lines)))
+    return {
+        name: _Part(labels[name], _cut(several.rows, slices), _cut(lines, slices)) for name, slices in found.items()
+    }
+
+
+def _cut(items: Sequence[T], slices: Sequence[slice]) -> list[T]:
+    return [item for each in slices for item in items[each]]
 
 
 def _label(line: Taken) -> str | None:
@@ -126,8 +133,8 @@ def _graph(
 ) -> Generator[None, None, Graph]:
     settings, delete = analysis.settings, analysis.inputs.block_delete
     end = STOP if name == MAIN or name.endswith(_BY_NUMBER) else RETURN
-    entered = numbered & {line.enters for line in lines}
-    key = (end, settings["compare"], settings["profile"], delete, entered, tuple(line.node.text for line in lines))
+    entered = numbered & {line.enters for line in lines} if numbered else numbered
+    key = (end, settings["compare"], settings["profile"], delete, entered, tuple([line.node.text for line in lines]))
     found = _graphs.get(key)
     if found is None:
         graph = yield from Builder(lines, end, settings, delete, entered).graph()
@@ -146,7 +153,7 @@ def _opened(
     stem = splitext(basename(analysis.file))[0].lower()
     library = len(parts) > 1 and not (yield from _has_main(analysis, parts))
     own = {stem} & parts.keys()
-    called = {line.enters for part in parts.values() for line in part.lines} - {""}
+    called = any(line.enters for part in parts.values() for line in part.lines)
     subs = {name for name in parts if name != MAIN and not name.endswith(_BY_NUMBER)}
     names = subs if library else own & subs
     names |= {name for name in subs if called and name.isdecimal()}
@@ -159,15 +166,26 @@ def _opened(
 def _has_main(analysis: Analysis, parts: Mapping[str, _Part]) -> Generator[None, None, bool]:
     """Whether anything is done outside of subprograms, other than to end the program."""
     outside = [part for name, part in parts.items() if name == MAIN or name.endswith(_BY_NUMBER)]
-    subs = [part for part in parts.values() if part not in outside]
-    inside = {row for part in subs for row in range(part.lines[0].row, part.lines[-1].row + 1)}
-    ends = {line.row for part in outside for line in part.lines if line.ends}
+    subs = [(part.rows[0], part.rows[-1]) for part in parts.values() if part not in outside]
+    ends = {row for part in outside for row, line in zip(part.rows, part.lines) if line.ends}
+
+    def is_main(row: int) -> bool:
+        return row not in ends and not any(first <= row <= last for first, last in subs)
+
+    # The lines that take part are at hand; mostly they tell.
+    rows = (row for part in outside for row, line in zip(part.rows, part.lines) if _acts(line.node.kinds))
+    if any(map(is_main, rows)):
+        return True
     for piece in analysis.document.pieces():
-        acting = piece.where(lambda reading, shape: not shape.facts(reading).kinds.isdisjoint(_ACTING))
-        if any(piece.line + at not in inside and piece.line + at not in ends for at, _, _ in acting):
+        acting = piece.where(lambda reading, shape: _acts(shape.facts(reading).kinds))
+        if any(is_main(piece.line + at) for at, _, _ in acting):
             return True
         yield
     return False
+
+
+def _acts(kinds: frozenset[str]) -> bool:
+    return not kinds.isdisjoint(_ACTING)
 
 
 def _start(analysis: Analysis, graph: Graph) -> Env:
@@ -197,7 +215,7 @@ def _parts_of(analysis: Analysis, file: File) -> Generator[None, None, list[_Par
     lines = None
     if not file.document.faults:
         lines = yield from taken(file.document, analysis.settings["remap"])
-    parts = (yield from _parts(lines)) if lines is not None else None
+    parts = _parts(lines) if lines is not None else None
     if parts is None or any(name.endswith(_BY_NUMBER) for name in parts):
         return []
     subs = [part._replace(file=file.path) for name, part in parts.items() if name != MAIN]
