@@ -102,6 +102,7 @@ class Node(NamedTuple):
     ``flow`` gives what comes next, and raises a `Proof` where nothing can. ``condition``: the columns of what decides here.
     ``doubtful``: whether something in it may fail on some way, after ``flow`` was asked. ``callee``: the routine that it calls, if that is known; ``calls``: whether it calls any.
     ``remark``: what is certain and does not stop the control, after ``flow`` was asked. ``part``: which of several nodes of its line it is.
+    ``change``: what it makes of the values, if it only ever goes on to the node of the next number, without a doubt and without a remark: that is ``flow`` said shorter.
     """
 
     line: int
@@ -115,6 +116,7 @@ class Node(NamedTuple):
     remark: Callable[[], Proof | None] = silent
     dead: tuple[Dead, ...] = ()
     part: int = 0
+    change: Callable[[Env], Env] | None = None
 
 
 class Head(NamedTuple):
@@ -141,7 +143,8 @@ class Graph:
 
     ``locals``: variables that are its own and not set at first. ``mentions``: all that it reads or sets itself; ``reads`` and ``writes``:
     what it shares with others and reads or sets itself; None: who knows what. ``constants``: variables that are set at one place, and
-    might as well have been given another value there.
+    might as well have been given another value there. ``hasty``: it is so small, and calls so many, that it goes on with what is known of
+    those that were gone through before, and once more when more is known.
     """
 
     nodes: Mapping[int, Node]
@@ -153,6 +156,7 @@ class Graph:
     writes: frozenset[Key] | None
     callees: frozenset[str]
     constants: frozenset[Key] = frozenset()
+    hasty: bool = False
 
 
 def join(one: Env, two: Env) -> Env:
@@ -167,21 +171,21 @@ def widen(old: Env, new: Env) -> Env:
 
 def _merged(one: Env, two: Env, merge: Callable[[Value, Value], Value]) -> Env:
     """What is made of the values of both; the first itself where that is the same."""
-    found = {}
-    same = True
     get = two.get
-    for key, value in one.items():
-        other = get(key)
-        if other is None:
-            same = False
+    found = None
+    # Most values are the same object on both ways: only the others are looked at.
+    for key in [key for key, value in one.items() if get(key) is not value]:
+        value, other = one[key], get(key)
+        both = ANY if other is None else merge(value, other)
+        if both is value:
             continue
-        both = value if value is other else merge(value, other)
-        if both != ANY:
-            found[key] = both
-            same = same and both is value
+        if found is None:
+            found = one.copy()
+        if both == ANY:
+            del found[key]
         else:
-            same = False
-    return one if same else found
+            found[key] = both
+    return one if found is None else found
 
 
 def joined_all(envs: Iterable[Env]) -> Env | None:

@@ -159,11 +159,17 @@ class Program:
         """What is known of a routine that is called for the first time: it is gone through at once, so that its caller need not wait for it."""
         if not self._is_settled and label in self._summaries:
             self._called(label, env)
-            if label in self._waiting and label not in self._active and len(self._active) < _DEEPEST:
+            if label in self._waiting and self._is_awaited(label):
                 self._waiting.discard(label)
                 for _ in self._solve(label):
                     pass
         return self.summary(label)
+
+    def _is_awaited(self, label: str) -> bool:
+        """Whether a routine is gone through before the one goes on that calls it now."""
+        if label in self._active or len(self._active) >= _DEEPEST:
+            return False
+        return label not in self.solved or not self.routines[self._active[-1]].graph.hasty
 
     def _called(self, name: str, env: Env) -> None:
         self._enter(name, self._own(name, env))

@@ -27,4 +27,4 @@ def remembering(node: Node) -> Node:
             raise failed.with_traceback(None)
         return flows
 
-    return node._replace(flow=flow, remark=lambda: said)
+    return node._replace(flow=flow, remark=lambda: said, change=None)

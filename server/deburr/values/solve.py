@@ -103,16 +103,28 @@ class Solution:
     def _follow(self, last: int, now: Callable[[int], Env | None]) -> Iterator[None]:
         """Go on with all that waits up to a node: the first one first, so that a loop comes to rest before what is behind it."""
         waiting, nodes, heads, before = self._waiting, self.graph.nodes, self.graph.heads, self.before
+        all_came = self._came
         done = 0
         while (node := waiting.find(1, 0, last + 1)) >= 0:
             waiting[node] = 0
             done += 1
             if done % _PACE == 0 or nodes[node].calls:
                 yield
-            env = now(node) if node in heads else joined_all(self._came[node].values())
+            came = all_came[node]
+            if node in heads:
+                env = now(node)
+            elif len(came) == 1:
+                (env,) = came.values()
+            else:
+                env = joined_all(came.values())
             old = before.get(node)
-            if env is not old and env != old:
+            if env is old or env == old:
+                continue
+            change = nodes[node].change
+            if env is None or change is None or self._forgotten:
                 self._pass(node, env)
+            else:
+                self._go_on(node, change, env)
 
     def _grown(self, head: int) -> Env | None:
         """What comes to the head of a loop; where it comes round, with all that came before, so that it comes to rest."""
@@ -132,8 +144,12 @@ class Solution:
     def _met(self, head: int) -> Env | None:
         """What comes to the head of a loop from all sides. Round the loop nothing comes that is not set in it: it is what it was before."""
         last, sets = self.graph.heads[head]
-        outside = self.entering(head)
-        inside = joined_all(env for source, env in self._came[head].items() if head <= source <= last)
+        outside = inside = None
+        for source, env in self._came[head].items():
+            if head <= source <= last:
+                inside = env if inside is None else join(inside, env)
+            else:
+                outside = env if outside is None else join(outside, env)
         if outside is None or inside is None:
             return outside
         both = join(outside, inside)
@@ -149,7 +165,7 @@ class Solution:
         else:
             self.before[node] = env
             flows = self._flows(node, env)
-        targets = tuple([target for target, _ in flows])
+        targets = (flows[0][0],) if len(flows) == 1 else tuple([target for target, _ in flows])
         old = self._targets.get(node, ())
         if targets != old:
             self._targets[node] = targets
@@ -164,6 +180,23 @@ class Solution:
                 came[node] = values
                 if target >= 0:
                     self._waiting[target] = 1
+
+    def _go_on(self, node: int, change: Callable[[Env], Env], env: Env) -> None:
+        """The same where it only goes on to the next node: most do."""
+        try:
+            values = change(env)
+        except Proof:
+            self._pass(node, env)
+            return
+        self.before[node] = env
+        self.proofs.pop(node, None)
+        following = node + 1
+        self._targets[node] = (following,)
+        came = self._came[following]
+        known = came.get(node)
+        if known is not values and known != values:
+            came[node] = values
+            self._waiting[following] = 1
 
     def _flows(self, node: int, env: Env) -> Flows:
         """What comes next, to each node once."""
@@ -217,11 +250,13 @@ def _outermost(heads: Mapping[int, Head], end: int) -> list[tuple[list[int], int
 
 def _held(outside: Env, both: Env, sets: Callable[[Key], bool]) -> Env:
     """What holds in all rounds: of what a loop does not set, what holds before it."""
-    found = {}
-    for key, old in outside.items():
-        value = both.get(key)
-        if value is old or not sets(key):
-            found[key] = old
-        elif value is not None:
-            found[key] = value
+    get = both.get
+    found = outside.copy()
+    for key in [key for key, value in outside.items() if get(key) is not value]:
+        if sets(key):
+            value = get(key)
+            if value is None:
+                del found[key]
+            else:
+                found[key] = value
     return found

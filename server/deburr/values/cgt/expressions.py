@@ -121,7 +121,7 @@ class Expressions:
 
         def found(env: Env) -> Value:
             value = env.get(key)
-            if value is None or value.empty:
+            if value is None or value.low > value.high:
                 # Nothing may have set it; who goes on has a number.
                 return ANY
             return value

@@ -13,7 +13,7 @@ from deburr.templates.parts import Branch, by_line, first_line, last_line, parts
 from deburr.templates.template import target
 from deburr.values.cgt.brackets import tested
 from deburr.values.cgt.commands import Asked
-from deburr.values.cgt.conditions import Test, Ways
+from deburr.values.cgt.conditions import Test
 from deburr.values.cgt.expressions import Expressions
 from deburr.values.cgt.lines import Unread
 from deburr.values.cgt.outcomes import before_computing, computed, merged, row_checked, shown, tracked
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from deburr.templates.parts import Part
     from deburr.templates.symbols import Word
     from deburr.values.cgt.commands import Commands
-    from deburr.values.cgt.outcomes import Outcome
 
 _LOST = frozenset(("head", "else", "repeat"))
 _DEEPEST = 100
@@ -104,14 +103,32 @@ class Builder:
         *,
         callee: str | None = None,
         calls: bool = False,
+        change: Callable[[Env], Env] | None = None,
     ) -> None:
         at = self._rows.setdefault(row, len(self._rows))
-        self._nodes.append(Node(at, flow, frozenset(used), frozenset(sets), span, callee=callee, calls=calls))
+        self._nodes.append(
+            Node(at, flow, frozenset(used), frozenset(sets), span, callee=callee, calls=calls, change=change)
+        )
 
-    def _pass(self, row: int, label: Label | None = None, span: Span | None = None) -> None:
-        """A node that does nothing but go on."""
+    def _change(
+        self,
+        row: int,
+        change: Callable[[Env], Env],
+        span: Span | None = None,
+        used: Sequence[Key] = (),
+        sets: Sequence[Key] = (),
+    ) -> None:
+        """A node that only goes on to the next one."""
         behind = self._next + 1
-        self._add(row, lambda env, calls: ((behind if label is None else label.at, env),), span)
+        self._add(row, lambda env, calls: ((behind, change(env)),), span, used, sets, change=change)
+
+    def _pass(self, row: int, span: Span | None = None) -> None:
+        """A node that does nothing but go on."""
+        self._change(row, lambda env: env, span)
+
+    def _jump(self, row: int, label: Label) -> None:
+        """A node that does nothing but go on elsewhere."""
+        self._add(row, lambda env, calls: ((label.at, env),))
 
     def _leave(self, row: int, how: float, span: Span | None = None) -> None:
         ended = exactly(how)
@@ -175,15 +192,14 @@ class Builder:
             for item, word in words
             if word.type == "table" and (count := self._words.codes(word)) is not None
         ]
-        behind = self._next + 1
 
-        def put(env: Env, calls: Calls) -> Flows:
+        def put(env: Env) -> Env:
             for name, check in checks:
                 check(env.get(name, ANY))
-            return ((behind, shown(env, keys, self._quiet)),)
+            return shown(env, keys, self._quiet)
 
         used = [word.name for _, word in words if self._words.holds(word)]
-        self._add(items[0].line, put, Span(items[0].start, items[-1].end), used, keys)
+        self._change(items[0].line, put, Span(items[0].start, items[-1].end), used, keys)
         items.clear()
 
     def _item(self, item: Item) -> None:
@@ -199,11 +215,8 @@ class Builder:
             if command.setting is not None:
                 self._settings.append(command.setting)
             if command.outcome is not None:
-                self._change(item, command.outcome, command.used)
-
-    def _change(self, item: Item, outcome: Outcome, used: Sequence[Key]) -> None:
-        behind, change = self._next + 1, outcome.change
-        self._add(item.line, lambda env, calls: ((behind, change(env)),), item.span, used, outcome.sets)
+                change, sets = command.outcome
+                self._change(item.line, change, item.span, command.used, sets)
 
     def _compute(self, item: Item, words: Sequence[Word]) -> None:
         """Words whose sections are run before an item."""
@@ -214,7 +227,7 @@ class Builder:
         name, behind = self._words.computes(word), self._next + 1
         keys: tuple[Key, ...] = (word.name,)
         if name not in self._words.sections:
-            self._add(item.line, lambda env, calls: ((behind, without(env, *keys)),), item.span, (), keys)
+            self._change(item.line, lambda env: without(env, *keys), item.span, (), keys)
             return
         self._callees.add(name)
 
@@ -268,7 +281,7 @@ class Builder:
         inside = self._next
         yield from self._body(body)
         if branch.other is not None:
-            self._pass(head.line, end)
+            self._jump(head.line, end)
         elif self._next == inside:
             # So that it can be told whether the body is output.
             self._pass(head.line)
@@ -291,9 +304,10 @@ class Builder:
         inside = self._next + 1
 
         def decided(env: Env, calls: Calls) -> Flows:
-            ways: Ways = test(env)
-            found = ((inside, ways.then), (other.at, ways.otherwise))
-            return tuple((to, values) for to, values in found if values is not None)
+            then, otherwise = test(env)
+            if then is None:
+                return () if otherwise is None else ((other.at, otherwise),)
+            return ((inside, then),) if otherwise is None else ((inside, then), (other.at, otherwise))
 
         sets = tuple(key for key in used if isinstance(key, Shown))
         self._add(head.line, decided, extent(head, body), used, sets)

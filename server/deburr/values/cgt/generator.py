@@ -72,7 +72,7 @@ def generator(sections: Sequence[str], mine: frozenset[str], path: Path) -> Grap
     }
     nodes = {number: Node(0, flow, calls=True) for number, flow in flows.items()}
     heads = {_NEXT: Head(_BACK, lambda key: True)}
-    return Graph(nodes, heads, (), frozenset(), None, None, None, frozenset(sections))
+    return Graph(nodes, heads, (), frozenset(), None, None, None, frozenset(sections), hasty=True)
 
 
 def _fresh(env: Env, mine: frozenset[str]) -> Env:

@@ -24,12 +24,14 @@ def lifted(apply: Callable[..., float], on_ranges: Lifted, operands: int = 2) ->
     def of_one(a: Value) -> Value:
         if a.low == a.high and not a.wild:
             return exactly(apply(a.low))
-        return NOTHING if a.impossible else on_ranges(a)
+        return NOTHING if a.low > a.high and a.impossible else on_ranges(a)
 
     def of_two(a: Value, b: Value) -> Value:
         if a.low == a.high and b.low == b.high and not a.wild and not b.wild:
             return exactly(apply(a.low, b.low))
-        return NOTHING if a.impossible or b.impossible else on_ranges(a, b)
+        if (a.low > a.high and a.impossible) or (b.low > b.high and b.impossible):
+            return NOTHING
+        return on_ranges(a, b)
 
     return of_one if operands == 1 else of_two
 
