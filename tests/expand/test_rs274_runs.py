@@ -37,6 +37,8 @@ MET = {
     "arc-radius 5 0-2 in inches": "G21 F9\n#1=25.4\nG0 X#1\nG20\nG2 X9 R1\nM2\n",
     "arc-radius 4 0-2 in diameters": "G7 G18 F9\n#1=20\nG0 X#1 Z0\nG2 X10 Z-3 I2 K-1\nM2\n",
     "probe-in-place 3 0-5": "F9\n#1=5\nG38.2 X[#1-5]\nM2\n",
+    "sub-nested 2 0-2": "o1 sub\nO5\nG0 X1\nM99\no1 endsub\nM98 P5\nM2\n",
+    "sub-nested 3 0-2 uncalled": "G0 X1\no1 sub\nO5\nM99\no1 endsub\nM2\n",
     "sub-redefined 5 0-11": f"{SUB}#1=1\no[#1+0] sub\no1 endsub\nM2\n",
     "sub-before-definition 3 0-6": "#1=1\no#1 call\no1 sub\no1 endsub\nM2\n",
     "sub-depth 3 0-14": "o1 sub\no2 if [#1 LT 99]\no1 call [#1+1]\no2 endif\no1 endsub\no1 call\nM2\n",

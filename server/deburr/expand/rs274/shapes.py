@@ -6,6 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.words import COMMENT, codes_of, starts
+from deburr_grammar.dialects.rs274.commands import COMMANDS
 from deburr_grammar.dialects.rs274.outline import PROGRAM, aborts, computes_code
 from deburr_grammar.tree import Node, Token, tokens, walk
 
@@ -24,6 +25,7 @@ FLOW = frozenset(("M2", "M30", "M70", "M71", "M72", "M73", "M98", "M99")) | CONT
 """Codes that end the program, go elsewhere, or need more than their own line."""
 _OTHERS = frozenset(("o_line", "PERCENT", "DELETE", "active", "CALL"))
 """What is compiled line by line."""
+_COMMANDS = frozenset(map(str.upper, COMMANDS))
 _COMMENTS = ("COMMENT", "SEMICOLON_COMMENT")
 _LEAVING = re.compile(r"[mM][ \t0+]*[79]")
 """Where one of the codes that leave can stand: most shapes need no second look."""
@@ -33,6 +35,9 @@ def needs_run(shape: Shape, reading: Reading) -> bool:
     """Whether what is wrong with lines of a shape, or with what hangs on them, may be seen by a run alone."""
     facts = shape.facts(reading)
     if not RUNS.isdisjoint(facts.kinds):
+        return True
+    if "o_line" in facts.kinds and _COMMANDS.isdisjoint(facts.kinds):
+        # Whether the run comes by it in a subprogram hangs on where the program ends.
         return True
     return not facts.problems and _LEAVING.search(shape.text) is not None and not _LEAVES.isdisjoint(codes_of(shape))
 

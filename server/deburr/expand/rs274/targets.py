@@ -43,6 +43,10 @@ class Targets:
             message = f"`{parts.said}` is met when it is already known, by a call from above or in a second pass of a loop; the control stops here"
             raise state.fault("sub-before-definition", unit.file, row, parts.span, message)
         unit.passed.add(row)
+        if (bare := unit.bare_in(row)) is not None:
+            text = unit.document.line(bare).strip()
+            message = f"`{text}` has no command: it starts a program, and the control comes by it in a subprogram"
+            raise state.fault("sub-nested", unit.file, bare, Span(0, len(unit.document.line(bare).rstrip())), message)
 
     def found(self, label: str, unit: Unit, row: int, span: Span) -> Start:
         """The subprogram of a label: one that is known, that of a file of its name, or one further down in this file."""

@@ -95,6 +95,11 @@ class Unit:
         at = bisect_right(rows, row)
         return rows[at] if at < len(rows) else None
 
+    def bare_in(self, row: int) -> int | None:
+        """The first bare O-word in the subprogram that starts at a row."""
+        at = bisect_right(self._bare, row)
+        return self._bare[at] if at < len(self._bare) and self._bare[at] < self.ends[row] else None
+
     def _read(self) -> Iterator[None]:
         last = len(self.code)
         around: list[Block] = []
@@ -155,7 +160,7 @@ class Unit:
     def _numbered(self) -> dict[str, list[int]]:
         """Rows of the bare O-words at which programs start that M98 calls."""
         found: dict[str, list[int]] = {}
-        for row in self._bare():
+        for row in self._bare:
             node = self.document.node(row)
             for o_line in node.find("o_line"):
                 label = o_line.node("label")
@@ -168,9 +173,12 @@ class Unit:
         """The labels of all calls; None for those that only the run knows."""
         return self.document.gathered("rs274 called", _called)
 
-    def _bare(self) -> Iterator[int]:
+    @cached_property
+    def _bare(self) -> tuple[int, ...]:
+        """Rows of O-words without a command, in order."""
         flow = {row for row, _ in self.document.brackets()}
-        return (row for row in self._with("o_line") if row not in flow and "CALL" not in self.document.node(row).kinds)
+        held = (row for row in self._with("o_line") if row not in flow)
+        return tuple(row for row in held if "CALL" not in self.document.node(row).kinds)
 
     def _with(self, kind: str) -> Iterator[int]:
         """The rows of lines with a node of a kind."""
