@@ -39,6 +39,7 @@ MET = {
     "probe-in-place 3 0-5": "F9\n#1=5\nG38.2 X[#1-5]\nM2\n",
     "sub-nested 2 0-2": "o1 sub\nO5\nG0 X1\nM99\no1 endsub\nM98 P5\nM2\n",
     "sub-nested 3 0-2 uncalled": "G0 X1\no1 sub\nO5\nM99\no1 endsub\nM2\n",
+    "cycle-depth 4 3-6": "F9\n#1=1\nG81 X1 Z-1 R#1\nX2 R-3\nM2\n",
     "sub-redefined 5 0-11": f"{SUB}#1=1\no[#1+0] sub\no1 endsub\nM2\n",
     "sub-before-definition 3 0-6": "#1=1\no#1 call\no1 sub\no1 endsub\nM2\n",
     "sub-depth 3 0-14": "o1 sub\no2 if [#1 LT 99]\no1 call [#1+1]\no2 endif\no1 endsub\no1 call\nM2\n",

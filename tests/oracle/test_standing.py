@@ -4,6 +4,7 @@ import math
 import os
 import subprocess
 from collections.abc import Sequence
+from itertools import accumulate, chain, pairwise
 from pathlib import Path
 from random import Random
 
@@ -16,7 +17,7 @@ from deburr_grammar.document import Document
 
 pytestmark = pytest.mark.oracle
 DIALECT = by_name("rs274")
-ARCS, POLAR = 1_200, 600
+ARCS, POLAR, CYCLES = 1_200, 600, 400
 PLANES = {"G17": ("XY", "IJ"), "G18": ("XZ", "IK"), "G19": ("YZ", "JK")}
 
 
@@ -37,10 +38,10 @@ def refused(program: str, folder: Path) -> set[int]:
     return {int(line[1:].split()[0]) for line in said if line.startswith("N") and line[1:2].isdigit()}
 
 
-def reported(program: str, rule: str) -> set[int]:
+def reported(program: str, *rules: str) -> set[int]:
     findings = Analysis(Document.parse(program, DIALECT), RuleSet(DIALECT)).findings()
     errors = [finding for finding in findings if finding.severity.name == "ERROR"]
-    assert {finding.rule for finding in errors} <= {rule}
+    assert {finding.rule for finding in errors} <= set(rules)
     return {finding.place.line for finding in errors}
 
 
@@ -115,3 +116,43 @@ def test_polar_words_at_the_origin_are_judged_as_the_interpreter_judges_them(
     assert POLAR // 10 < len(stopped) < POLAR // 2
     found = reported(program, "rs274.polar-at-origin")
     assert found == stopped if all_found else found <= stopped
+
+
+def cycle(rng: Random) -> list[str]:
+    """A canned cycle that goes on for some lines, with other levels, depths, planes, units and offsets."""
+    plane, axis = rng.choice([("G17", "Z"), ("G18", "Y"), ("G19", "X")])
+    across = "XYZ".replace(axis, "")
+
+    def number(letter: str) -> str:
+        return f"{letter}{rng.choice([-3, -2, -1.5, -1, -0.5, 0, 0.5, 1, 2])}"
+
+    def hole() -> str:
+        return f"{rng.choice(across)}{rng.randint(-9, 9)}"
+
+    lines = [
+        f"G80 {plane} {rng.choice(['G90', 'G91'])}",
+        f"{rng.choice(['G81', 'G82 P1', 'G85'])} {hole()} {axis}-2 {number('R')}",
+    ]
+    for _ in range(rng.randint(1, 5)):
+        also = [number(letter) for letter in (axis, "R") if rng.random() < 0.4]
+        mode = rng.choice(["", "", "", "G90", "G91", "G20", "G21", "G99"])
+        lines.append(rng.choice([f"{mode} {hole()} {' '.join(also)}"] * 6 + ["G92 X3 Z4", "G4 P0", "G55", "M8"]))
+    return lines
+
+
+def test_levels_and_depths_that_a_cycle_takes_over_are_judged_as_the_interpreter_judges_them(tmp_path: Path) -> None:
+    rng = Random(3)
+    pieces = [cycle(rng) for _ in range(CYCLES)]
+    lines = ["G21 F100", *(line for piece in pieces for line in piece)]
+    program = "".join(f"N{number} {line}\n" for number, line in enumerate(lines)) + "M2\n"
+    # Behind the first of a cycle the interpreter holds what that line said, and nobody would go on.
+    stopped = firsts(refused(program, tmp_path), pieces)
+    assert CYCLES // 10 < len(stopped) < CYCLES
+    assert firsts(reported(program, "rs274.cycle-depth", "rs274.word-value"), pieces) == stopped
+
+
+def firsts(lines: set[int], pieces: Sequence[Sequence[str]]) -> list[int]:
+    """The first of these lines in each piece; the pieces stand behind line 0."""
+    ends = list(accumulate(map(len, pieces), initial=1))
+    found = ([line for line in range(start, end) if line in lines][:1] for start, end in pairwise(ends))
+    return list(chain.from_iterable(found))

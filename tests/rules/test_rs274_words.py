@@ -123,6 +123,13 @@ CERTAIN = {
     "steps that lead back may miss the origin": ("G0 X0.3 Y0\nG91 X-0.1\nX-0.1\nX-0.1\nG90 @5\nM2\n", []),
     "a system that is not in force, in compensation": ("G56\nG41 D1\nG10 L2 P1 X1\nG10 L2 P4 X1\nG40\nM2\n", []),
     "the system in force, in compensation": ("G56\nG41 D1\nG10 L2 P3 X1\nG40\nM2\n", ["in-compensation"]),
+    "a level below a depth that is taken over": ("F9\nG81 X1 Z-1 R1\nX2\nX3 R-2\nM2\n", ["cycle-depth"]),
+    "a depth that was taken over from another mode": ("F9\nG81 X1 Z0.5 R1\nG91 X2\nM2\n", ["cycle-depth"]),
+    "a level that is not known": (
+        "F9\nG81 X1 Z-1 R1\nX3 R[#5-0.5]\nX4 R-3 Z-4\nX5 Z-4 R-3.5\nM2\n",
+        ["read-before-set"],
+    ),
+    "a branch may change the level": ("F9\n#1=1\nG81 X1 Z-1 R1\no1 if [#1]\nR-9 Z-10 X2\no1 endif\nX3 Z-9.5\nM2\n", []),
     "a feed rate of zero": ("F0\nG0 X1\nG1 X2\nX3\nM2\n", ["feed-zero"]),
 }
 

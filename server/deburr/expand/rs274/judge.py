@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 _MOST = 20_000
 """Combinations of shape and state that are kept, and lines that are looked at together."""
-_ON_MOVES = ("arc-radius", "feed-zero", "g-unknown", "m-unknown", "polar-at-origin", "probe-in-place")
+_ON_MOVES = ("arc-radius", "cycle-depth", "feed-zero", "g-unknown", "m-unknown", "polar-at-origin", "probe-in-place")
 """Rules on the program as a whole that are about its moves and codes."""
 
 

@@ -24,6 +24,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('compare_near', 2, True, False, True, 'Ran', {}, False),
     ('condition_constant', 2, True, False, False, 'Proven', {}, False),
     ('continue_leaks', 2, True, False, True, 'Ran', {}, False),
+    ('cycle_depth', 3, True, False, False, 'Whole', {}, False),
     ('cycle_word', 3, True, False, False, 'Modal', {'kinds': ('word',)}, False),
     ('digits_joined', 2, True, False, False, 'Nodes', {'kinds': ('line',), 'by_shape': True}, False),
     ('divide_by_zero', 3, True, False, False, 'Nodes', {'kinds': ('quotient',), 'by_shape': False}, False),
