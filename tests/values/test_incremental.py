@@ -16,8 +16,9 @@ from deburr.ruleset import RuleSet
 from deburr.values import ledger, values_of
 from deburr.values.kept import Kept
 from deburr.values.metagcode import flow
+from deburr.values.metagcode import lines as metagcode
 from deburr.values.program import Program
-from deburr.values.rs274 import lines
+from deburr.values.rs274 import lines as rs274
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
 from deburr_grammar.text import Edit, Pos
@@ -33,13 +34,14 @@ PROGRAMS = 25
 KEPT = (
     "deburr.values.again._kept",
     "deburr.values.ledger._kept",
+    "deburr.values.ledger._latest",
     "deburr.values.rs274.split._graphs",
     "deburr.values.z32.split._graphs",
     "deburr.values.cgt.split._kept",
     "deburr.values.metagcode.flow._graphs",
 )
 """Where anything is kept by what lines say."""
-KEPT_LINES = ((flow, "_node"), (lines, "_line"))
+KEPT_LINES = ((flow, "_node"), (flow, "_made"), (metagcode, "_line"), (rs274, "_line"))
 """Where something is kept for each line."""
 
 

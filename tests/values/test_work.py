@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 
@@ -12,6 +12,7 @@ from deburr.values.graph import Calls, Env, Flows, Graph, Node, join
 from deburr.values.kept import Kept
 from deburr.values.metagcode import flow
 from deburr.values.solve import Solution
+from deburr_grammar.line import LineNode
 from support.values import analysed
 
 MANY = 39
@@ -117,29 +118,74 @@ def test_what_is_behind_a_loop_is_gone_through_once(dialect: str, monkeypatch: p
     assert asked[2] > 1 and [asked[line] for line in range(last - 2, last + 1)] == [1, 1, 1], asked
 
 
-def test_a_text_is_gone_through_again_where_it_is_edited(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What a line far from the edit says, and the values that come there, are what they were."""
-    made: list[int] = []
-    asked: list[int] = []
-    new_node = flow._new_node
+class Counts(NamedTuple):
+    """The lines of which nodes were made, and those whose conditions were looked at again; how many nodes values were sent through."""
 
-    def counted(at: int, *more: Any) -> Node:
-        made.append(at)
-        node = new_node(at, *more)
+    made: list[str]
+    asked: list[str]
+    passed: list[int]
+
+
+def _counted(text: str, monkeypatch: pytest.MonkeyPatch) -> Counts:
+    found = Counts([], [], [])
+    new_node, passed = flow._new_node, Solution._pass
+
+    def counted(line: LineNode, *more: Any) -> Node:
+        found.made.append(line.text)
+        node = new_node(line, *more)
 
         def counted_flow(env: Env, calls: Calls) -> Flows:
-            asked.append(at)
+            asked.append(line.text)
             return node.flow(env, calls)
 
         return node._replace(flow=counted_flow)
 
-    lines = [f"#IF{at} |Depth| greaterthan {at} numeric\nG1 X-|Depth|\n#ENDIF{at}" for at in range(1, MANY)]
-    text = "\n".join(lines)
-    monkeypatch.setattr(flow, "_new_node", counted)
+    def counted_pass(self: Solution, node: int, env: Env | None) -> None:
+        found.passed.append(node)
+        passed(self, node, env)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(flow, "_new_node", counted)
+        patch.setattr(Solution, "_pass", counted_pass)
+        asked.clear()
+        assert values_of(analysed(text, "metagcode")) is not None
+    found.asked.extend(asked)
+    return found
+
+
+asked: list[str] = []
+"""What is asked of nodes that outlive a text is told here."""
+
+
+def _forget(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No text was ever seen."""
     flow._node.cache_clear()
-    assert values_of(analysed(text, "metagcode")) is not None
-    assert len(made) == len(asked) == 3 * (MANY - 1)
-    made.clear()
-    asked.clear()
-    assert values_of(analysed(text.replace("greaterthan 1 ", "greaterthan 2 "), "metagcode")) is not None
-    assert (made, asked) == ([0], [0, 1, 2])
+    flow._made.cache_clear()
+    for place in ("ledger._kept", "ledger._latest", "metagcode.flow._graphs"):
+        monkeypatch.setattr(f"deburr.values.{place}", Kept[Any]())
+
+
+def _asking(many: int, first: int = 1) -> str:
+    return "".join(
+        f"#IF{at} |Depth| greaterthan {at if at > 1 else first} numeric\nG1 X-|Depth|\n#ENDIF{at}\n"
+        for at in range(1, many)
+    )
+
+
+@pytest.mark.parametrize("many", [MANY, 2 * MANY])
+def test_a_text_is_gone_through_again_where_it_is_edited(many: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a line far from the edit says, and the values that come there, are what they were: however long the text is."""
+    _forget(monkeypatch)
+    first = _counted(_asking(many), monkeypatch)
+    assert len(first.made) == len(first.asked) == len(first.passed) == 3 * (many - 1)
+    edit = _counted(_asking(many, first=2), monkeypatch)
+    lines = ["#IF1 |Depth| greaterthan 2 numeric", "G1 X-|Depth|", "#ENDIF1"]
+    assert edit == (lines[:1], lines, [0, 1, 2])
+
+
+def test_a_line_more_has_nothing_else_made_or_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    _forget(monkeypatch)
+    text = _asking(MANY)
+    _counted(text, monkeypatch)
+    more = _counted(f"G1 Y-|Depth|\n{text}", monkeypatch)
+    assert (more.made, more.asked) == (["G1 Y-|Depth|"], ["G1 Y-|Depth|"])

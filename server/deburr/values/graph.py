@@ -144,7 +144,8 @@ class Graph:
     ``locals``: variables that are its own and not set at first. ``mentions``: all that it reads or sets itself; ``reads`` and ``writes``:
     what it shares with others and reads or sets itself; None: who knows what. ``constants``: variables that are set at one place, and
     might as well have been given another value there. ``hasty``: it is so small, and calls so many, that it goes on with what is known of
-    those that were gone through before, and once more when more is known.
+    those that were gone through before, and once more when more is known. ``family``: what it has in common with what it was before
+    an edit; None: nobody asks.
     """
 
     nodes: Mapping[int, Node]
@@ -157,6 +158,7 @@ class Graph:
     callees: frozenset[str]
     constants: frozenset[Key] = frozenset()
     hasty: bool = False
+    family: Hashable = None
 
 
 def join(one: Env, two: Env) -> Env:

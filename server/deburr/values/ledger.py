@@ -58,6 +58,8 @@ class _Version(NamedTuple):
 
 _kept: Kept[list[_Version]] = Kept()
 """What was found last for each flow."""
+_latest: Kept[Solution] = Kept()
+"""What was found last for each family of flows."""
 
 
 def fit(nodes: int) -> None:
@@ -83,8 +85,11 @@ def gone_through(
             return known.solved
         alike = _told_alike(alike, asked, program)
     ledger = _Ledger(program, asked)
-    solution = Solution(graph, entry, ledger, forgotten)
+    earlier = _latest.get(graph.family) if graph.family is not None else None
+    solution = Solution(graph, entry, ledger, forgotten, earlier)
     yield from solution.steps()
+    if graph.family is not None:
+        _latest.add(graph.family, solution, len(graph.nodes))
     found = ledger.closed(solution)
     versions.insert(0, _Version(program.is_general, entry, found))
     del versions[_VERSIONS:]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from deburr.values.graph import Calls, Env, Flows, Node, Proof
+from deburr.values.graph import Calls, Env, Flows, Node, Proof, silent
 
 
 def remembering(node: Node) -> Node:
@@ -27,4 +27,5 @@ def remembering(node: Node) -> Node:
             raise failed.with_traceback(None)
         return flows
 
-    return node._replace(flow=flow, remark=lambda: said, change=None)
+    remark = silent if node.remark is silent else lambda: said
+    return node._replace(flow=flow, remark=remark, change=None)

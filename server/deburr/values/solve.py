@@ -34,8 +34,15 @@ _PACE = 100
 class Solution:
     """The values before each node that can be reached, and what leaves the routine."""
 
-    def __init__(self, graph: Graph, entry: Env, calls: Calls, forgotten: frozenset[Key] = frozenset()) -> None:
-        """``forgotten``: variables of which nothing is known behind the places that set them."""
+    def __init__(
+        self,
+        graph: Graph,
+        entry: Env,
+        calls: Calls,
+        forgotten: frozenset[Key] = frozenset(),
+        earlier: Solution | None = None,
+    ) -> None:
+        """``forgotten``: variables of which nothing is known behind the places that set them. ``earlier``: of the routine before an edit."""
         self.graph = graph
         self._forgotten = forgotten
         self._calls = calls
@@ -51,9 +58,51 @@ class Solution:
         """What is certain there and does not stop the control."""
         self.doubtful: set[int] = set()
         """The nodes at which something may go wrong."""
-        first = min(graph.nodes, default=RETURN)
-        self._came[first][_ENTRY] = entry
-        self._queue(first)
+        self._entry = entry
+        self._is_resumed = earlier is not None and self._resumed(earlier)
+        if not self._is_resumed:
+            first = min(graph.nodes, default=RETURN)
+            self._came[first][_ENTRY] = entry
+            self._queue(first)
+
+    def _resumed(self, earlier: Solution) -> bool:
+        """Go on from the values before an edit, if that is less work. Where nothing comes round, each node hangs on those above it alone."""
+        nodes, known = self.graph.nodes, earlier.graph.nodes
+        same = {node for node, here in nodes.items() if known.get(node) is here}
+        if (
+            any(graph.heads or graph.callees for graph in (self.graph, earlier.graph))
+            or 2 * len(same) < len(nodes)
+            or min(nodes, default=RETURN) != min(known, default=RETURN)
+            or (self._forgotten, self._entry) != (earlier._forgotten, earlier._entry)
+        ):
+            return False
+        self._take(earlier)
+        for node in [node for node in (*nodes, *(known.keys() - nodes.keys())) if node not in same]:
+            self._forget(node)
+        return True
+
+    def _take(self, earlier: Solution) -> None:
+        """All that was known before an edit."""
+        for node, came in earlier._came.items():
+            if node in self._came:
+                self._came[node] = came.copy()
+        self._targets.update(earlier._targets)
+        self.before.update(earlier.before)
+        self.proofs.update(earlier.proofs)
+        self.remarks.update(earlier.remarks)
+        self.doubtful |= earlier.doubtful
+
+    def _forget(self, node: int) -> None:
+        """Nothing is known of a node that is another one now, or gone: it is gone through, and so are those to which it led."""
+        for target in self._targets.pop(node, ()):
+            if target in self._came:
+                self._came[target].pop(node, None)
+                self._queue(target)
+        for found in (self.before, self.proofs, self.remarks):
+            found.pop(node, None)
+        self.doubtful.discard(node)
+        if node in self.graph.nodes:
+            self._queue(node)
 
     def steps(self) -> Iterator[None]:
         """Find them, in work that can be left at each step. What is behind a loop is gone through with what the loop really leaves."""
@@ -71,6 +120,8 @@ class Solution:
             for node, env in list(self.before.items()):
                 if self.graph.nodes[node].calls:
                     self._flows(node, env)
+        if self._is_resumed:
+            self.before = dict(sorted(self.before.items()))
         del self._calls
 
     @property
@@ -161,6 +212,7 @@ class Solution:
             del self.before[node]
             self.proofs.pop(node, None)
             self.remarks.pop(node, None)
+            self.doubtful.discard(node)
             flows: Flows = ()
         else:
             self.before[node] = env
@@ -178,6 +230,9 @@ class Solution:
             known = came.get(node)
             if known is not values and known != values:
                 came[node] = values
+                if known is None and self._is_resumed:
+                    # As if all of them had come now, one after the other.
+                    self._came[target] = dict(sorted(came.items()))
                 if target >= 0:
                     self._waiting[target] = 1
 

@@ -49,7 +49,7 @@ class Language(NamedTuple):
 
 def plant(language: Language, fault: str, patch: pytest.MonkeyPatch) -> None:
     """Put a fault into the analysis. Nothing is used that was built before, and nothing afterwards that is built from now on."""
-    for place in (*language.caches, "deburr.values.ledger._kept"):
+    for place in (*language.caches, "deburr.values.ledger._kept", "deburr.values.ledger._latest"):
         patch.setattr(place, Kept())
     language.mutants[fault](patch)
 

@@ -7,6 +7,8 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
 from decimal import Decimal
+from functools import lru_cache
+from inspect import unwrap
 from random import Random
 
 import pytest
@@ -147,7 +149,8 @@ def _holds(value: Value, got: Decimal) -> bool:
 
 def _with_new_nodes(patch: pytest.MonkeyPatch) -> None:
     """Nodes remember what they have answered: those of a fault are its own."""
-    patch.setattr(flow, "_node", flow._new_node)
+    for name in ("_node", "_made"):
+        patch.setattr(flow, name, lru_cache(unwrap(getattr(flow, name))))
 
 
 def _less_that_is_more(patch: pytest.MonkeyPatch) -> None:

@@ -12,7 +12,7 @@ from deburr_grammar.text import Span
 CONSTANT = "condition-constant"
 
 
-def asked(at: int, left: Item, word: str, right: Item, numeric: bool, ways: tuple[int, int], own: bool) -> Node:
+def asked(left: Item, word: str, right: Item, numeric: bool, ways: tuple[int, int], own: bool) -> Node:
     """The node of a condition. ``ways``: where it goes on where it holds, and where it does not; ``own``: whether it stands in the text itself."""
     then, otherwise = ways
     span = Span(left.span.start, right.span.end)
@@ -31,7 +31,7 @@ def asked(at: int, left: Item, word: str, right: Item, numeric: bool, ways: tupl
 
     used: frozenset[Key] = names if order is None else names | {order.key}
     said = f"`{left.said} {word} {right.said}`"
-    return Node(at, decided, used, condition=span, dead=_dead(said, order, ways, span) if own and names else ())
+    return Node(0, decided, used, condition=span, dead=_dead(said, order, ways, span) if own and names else ())
 
 
 def with_all_orders(nodes: dict[int, Node]) -> dict[int, Node]:
