@@ -17,6 +17,15 @@ from benchmarks.corpus import TOOLS
 from benchmarks.measure import growth, seconds
 from benchmarks.ours import KEYSTROKES, SEED, Keystroke, read
 
+_END = " PROGRAM_END()\n"
+"""What the interpreter prints of M2 and M30."""
+_TAIL = 500
+"""Bytes at the end of what it prints among which that stands, whatever is reset behind it."""
+
+
+class Unfinished(Exception):
+    """The interpreter did not run a program to its end."""
+
 
 def parser() -> Parser:
     """A parser of G-code."""
@@ -67,14 +76,27 @@ def _col(line: bytes, stroke: Keystroke) -> int:
 
 
 def interpreter(path: str) -> float | None:
-    """Seconds in which `rs274` runs a program to its end and prints nothing to a file; None where it is not installed."""
+    """Seconds in which `rs274` runs a program to its end and prints what it does to a file; None where it is not installed.
+
+    Raises Unfinished where it did not get there, for then its time is that of something else.
+    """
     command = shutil.which("rs274")
     if command is None:
         return None
     with TemporaryDirectory() as folder:
         tools = Path(folder, "tool.tbl")
         tools.write_text("".join(f"T{number} P{number} Z0.1 D1.0 ;\n" for number in range(1, TOOLS + 1)))
-        run = [command, "-t", str(tools), "-g", path]
-        return seconds(
-            lambda: subprocess.run(run, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
-        )
+        run, printed, said = [command, "-t", str(tools), "-g", path], Path(folder, "out"), Path(folder, "said")
+        with printed.open("wb") as out, said.open("wb") as err:
+            begin = perf_counter()
+            code = subprocess.run(run, cwd=folder, stdout=out, stderr=err, check=False).returncode
+            taken = perf_counter() - begin
+        if code or _END not in _tail(printed):
+            raise Unfinished(f"{path}: rs274 ended with {code}: {_tail(said) or _tail(printed)}")
+        return taken
+
+
+def _tail(file: Path) -> str:
+    with file.open("rb") as lines:
+        lines.seek(max(0, file.stat().st_size - _TAIL))
+        return lines.read().decode("utf-8", "replace")

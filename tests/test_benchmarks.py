@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from unittest import mock
 
 import pytest
-from benchmarks import corpus, ours, rows
+from benchmarks import corpus, ours, rows, theirs
 from benchmarks.__main__ import main
 from benchmarks.macros import macros
 
@@ -34,6 +34,23 @@ def test_corpora_are_clean_and_of_the_length_asked_for(make) -> None:
 @pytest.mark.oracle
 def test_the_interpreter_runs_the_macros_to_their_end(tmp_path) -> None:
     assert judged(corpus.macro(3_000), tmp_path) == Verdict(True, "", "")
+
+
+@pytest.mark.oracle
+def test_only_a_run_to_the_end_is_measured(tmp_path, monkeypatch) -> None:
+    program = tmp_path / "a.ngc"
+    program.write_text("G21\nM2\n")
+    assert (theirs.interpreter(str(program)) or 0) > 0
+    program.write_text("G21\nG0 X[1/0]\nM2\n")
+    with pytest.raises(theirs.Unfinished, match=r"ended with 1: "):
+        theirs.interpreter(str(program))
+    # One that says all is well, and was cut short.
+    short = tmp_path / "rs274"
+    short.write_text("#!/bin/sh\necho '    1 N..... USE_LENGTH_UNITS(CANON_UNITS_MM)'\n")
+    short.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    with pytest.raises(theirs.Unfinished, match=r"ended with 0: .*USE_LENGTH_UNITS"):
+        theirs.interpreter(str(program))
 
 
 def test_the_cam_program_is_numbered_motion_for_the_most_part() -> None:

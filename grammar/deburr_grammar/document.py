@@ -113,6 +113,12 @@ class Document:
         """How many lines there are; a text that ends with a line end has an empty last one."""
         return self._root.eols + 1
 
+    @property
+    def rows(self) -> int:
+        """How many lines a control reads: what stands behind the last line end is one if anything stands there."""
+        last = self._root.eols
+        return last + (self.line(last) != "")
+
     def chunks(self) -> Iterator[Chunk]:
         """The chunks in order."""
         return _chunks(self._root)

@@ -64,9 +64,14 @@ def read(path: str) -> Config:
     following: str | None = path
     while following is not None:
         if following in seen:
-            raise ConfigError(f"{seen[-1]}: `extend` goes round in a circle")
+            raise ConfigError(_extending(seen[-1], "goes round in a circle"))
+        try:
+            data = _data(following)
+        except OSError as error:
+            why = error.strerror or "cannot be read"
+            wrong = _extending(seen[-1], f"names `{following}`: {why}") if seen else f"{following}: {why}"
+            raise ConfigError(wrong) from None
         seen.append(following)
-        data = _data(following)
         found = found.over(_config(data, following))
         following = _beside(following, data["extend"]) if data.get("extend") else None
     return found
@@ -118,14 +123,18 @@ def _prefix(path: str) -> tuple[str, ...]:
     return ("tool", "deburr") if path.endswith(f"/{PROJECT}") else ()
 
 
+def _extending(path: str, wrong: str) -> str:
+    """What is said of a file's `extend`, with its place."""
+    return _message(path, _text(path), _prefix(path), Fault(("extend",), f"`extend` {wrong}"))
+
+
 def _data(path: str) -> dict[str, Any]:
+    """What a file says; OSError if it cannot be read, ConfigError if it cannot be used."""
     import tomllib
 
     try:
         text = paths.data(path).decode("utf-8-sig")
         data: Any = tomllib.loads(text)
-    except OSError as error:
-        raise ConfigError(f"{path}: {error.strerror}") from None
     except UnicodeDecodeError:
         raise ConfigError(f"{path}: not UTF-8, as TOML must be") from None
     except tomllib.TOMLDecodeError as error:

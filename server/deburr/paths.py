@@ -5,7 +5,7 @@
 import os
 import os.path
 import stat
-from errno import EFBIG, ENOTSUP
+from errno import EFBIG, ENOENT, ENOTSUP
 from typing import BinaryIO
 
 MOST = 64 * 1024 * 1024
@@ -75,6 +75,8 @@ def data(path: str) -> bytes:
 
     What the shell gives by name, `/dev/stdin` or `/dev/fd/63` of `<(...)`, has a writer.
     """
+    if "\0" in path:
+        raise OSError(ENOENT, "no file has a NUL in its name")
     if stat.S_ISFIFO(os.stat(path).st_mode) and not path.startswith(("/dev/", "/proc/")):
         raise OSError(ENOTSUP, "a named pipe, which may never end; write its content into standard input and name `-`")
     with open(path, "rb") as file:

@@ -89,8 +89,7 @@ def count(shell, *arguments):
         ("[z32.pal]\n301 = true", ":2", "`301` in `pal` must be an integer, the only values that PAL holds"),
         ("[z32]\npal = 5", ":2", "`pal` must be a table, not a number"),
         ("[check]\nselect = ['']", ":2", "an empty text names no rule"),
-        ("extend = 'nothing.toml'", "", "No such file or directory"),
-        ("extend = 'deburr.toml'", "", "`extend` goes round in a circle"),
+        ("extend = 'deburr.toml'", ":1", "`extend` goes round in a circle"),
         ("extend = 3", ":1", "`extend` must be a text, not a number"),
     ],
 )
@@ -99,10 +98,25 @@ def test_errors(shell, text, place, message):
     shell.write("a.ngc", FAULTY)
     ran = shell.run("check")
     assert (ran.code, ran.out) == (2, "")
-    file = "nothing.toml" if "nothing" in text else "deburr.toml"
-    assert ran.err.startswith(f"deburr: error: {(shell.folder / file).as_posix()}{place}: {message}"), ran.err
+    assert ran.err.startswith(f"deburr: error: {(shell.folder / 'deburr.toml').as_posix()}{place}: {message}"), ran.err
     assert shell.run("explain-dialect", "a.ngc").code == 2
     assert shell.run("config", "a.ngc").code == 2
+
+
+def test_what_extends_a_file_that_is_not_there_is_named(shell):
+    folder = shell.folder.as_posix()
+    shell.write("a.ngc", FAULTY)
+    shell.write("pyproject.toml", "[tool.deburr]\nextend = 'base.toml'\n")
+    said = f"deburr: error: {folder}/pyproject.toml:2: `extend` names `{folder}/base.toml`: No such file or directory\n"
+    assert shell.run("check") == (2, "", said)
+    shell.write("base.toml", "[check]\nrun = true\n[files]\n")
+    assert shell.run("check").code == 1
+    shell.write("base.toml", "# further\nextend = '.'\n")
+    said = f"deburr: error: {folder}/base.toml:2: `extend` names `{folder}`: Is a directory\n"
+    assert shell.run("check") == (2, "", said)
+    shell.write("base.toml", 'extend = "a\\u0000b"\n')
+    ran = shell.run("check")
+    assert ran.code == 2 and ran.err.startswith(f"deburr: error: {folder}/base.toml:1: `extend` names ")
 
 
 def test_values_of_machine_parameters_reach_the_rules(tmp_path):

@@ -100,3 +100,18 @@ def test_the_help_says_what_becomes_of_the_program(shell):
         "print bounds, lengths, estimated times and tools of the flat program in its place; with -o it is written, too"
         in said
     )
+
+
+@pytest.mark.parametrize("dialect", ["rs274", "metagcode", "z32"])
+def test_an_empty_program_has_no_lines(shell, dialect):
+    shell.write("a.txt", "")
+    ran = shell.run("expand", "--dialect", dialect, "--stats", "text", "a.txt")
+    assert (ran.code, ran.out.splitlines()[:2]) == (0, ["lines   0", "moves   0, arcs among them 0"])
+
+
+@pytest.mark.parametrize("dialect", ["rs274", "metagcode"])
+@pytest.mark.parametrize("text", ["\n", "\n\n", "\r\n \r\n"])
+def test_blank_lines_expand_to_themselves(shell, dialect, text):
+    path = shell.write("a.txt", text)
+    assert shell.run("expand", "--dialect", dialect, "a.txt", "-o", "flat").code == 0
+    assert (shell.folder / "flat").read_bytes() == path.read_bytes()

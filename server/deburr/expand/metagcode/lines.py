@@ -58,9 +58,7 @@ class Text:
     def __init__(self, file: str, document: Document) -> None:
         self.file = file
         self.document = document
-        last = document.line_count - 1
-        self.rows = last + (document.line(last) != "")
-        """Its lines; what stands behind the last line end is one if anything stands there."""
+        self.rows = document.rows
         self.room = _KEPT
         self._cut: tuple[Chunk | None, list[str]] = (None, [])
 

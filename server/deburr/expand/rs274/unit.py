@@ -57,8 +57,9 @@ class Unit:
     def __init__(self, file: str, document: Document) -> None:
         self.file = file
         self.document = document
-        self.code: list[Op | None] = [None] * document.line_count
-        self.met = bytearray(document.line_count)
+        rows = document.rows
+        self.code: list[Op | None] = [None] * rows
+        self.met = bytearray(rows)
         """Which lines have run: one that shares what is compiled is only kept when it runs again."""
         self.blocks: dict[int, Block] = {}
         """The block of each row with a flow command: the one that it opens, closes, branches or leaves."""
