@@ -6,13 +6,15 @@ why it matters, `Source:`, and `Bad:` and `Good:` blocks. Never imports a dialec
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from itertools import islice
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, cast
 
 from deburr.finding import Severity
+from deburr.steps import MANY
 from deburr_grammar.line import LineNode
 from deburr_grammar.problem import Problem
 from deburr_grammar.structure import Fault
@@ -21,6 +23,8 @@ from deburr_grammar.tree import Node
 
 if TYPE_CHECKING:
     from deburr.modal import State
+
+T = TypeVar("T")
 
 __all__ = [
     "Line",
@@ -42,6 +46,7 @@ __all__ = [
     "Whole",
     "covers",
     "expected",
+    "parted",
     "rule",
     "whole",
 ]
@@ -150,6 +155,7 @@ class Structure(NamedTuple):
 class Whole(NamedTuple):
     """The rule is called once: `check(analysis)`; reports must name a line, and between them it may yield None where its work can be left.
 
+    What goes through all that a program has does so by `parted`, which sees to that.
     ``ready`` derives what the rule stands on, which it then finds kept with the analysis, in work that can be left at each step.
     """
 
@@ -248,6 +254,16 @@ def rule(
         return Rule(name, severity, trigger, check, module, default, said, input)
 
     return made
+
+
+def parted(
+    items: Iterable[T], says: Callable[[Sequence[T]], Iterable[Report | None] | None]
+) -> Iterator[Report | None]:
+    """What a rule says of many things, some hundred at a time: between them its work can be left. ``says`` gives reports, or only takes note."""
+    left = iter(items)
+    while some := list(islice(left, MANY)):
+        yield from says(some) or ()
+        yield None
 
 
 def covers(prefix: str, name: str) -> bool:

@@ -13,7 +13,7 @@ from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token, tokens
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from deburr_grammar.line import LineNode
 
@@ -141,8 +141,15 @@ class Declaration(NamedTuple):
 class Builder:
     """Puts the items of a section into bodies: depth decides what belongs together, as it does for the structure."""
 
-    def __init__(self, body: Body) -> None:
+    def __init__(
+        self,
+        body: Body,
+        placed: Callable[[Item, Body], object] = lambda item, body: None,
+        opened: Callable[[Body], object] = lambda body: None,
+    ) -> None:
+        """``placed`` is told of each item with the body that it stands directly in, ``opened`` of each body, in order."""
         self._stack = [body]
+        self._placed, self._opened = placed, opened
         self._head: Item | None = None
         self._behind = ""
         """The text behind a command that nobody knows, which may be its arguments."""
@@ -160,6 +167,7 @@ class Builder:
                 self._head, self._behind = item, ""
             else:
                 self._stack[-1].parts.append(item)
+                self._placed(item, self._stack[-1])
                 if not self._waits(item):
                     self._head = item if item.kind in ("if", "else", "repeat") else None
 
@@ -182,6 +190,7 @@ class Builder:
         kind = "unknown" if doubtful else head.kind if head else "bracket"
         body = Body(kind, item, head, self._stack[-1], len(self._stack))
         parts.append(body)
+        self._opened(body)
         self._stack.append(body)
 
 

@@ -6,10 +6,12 @@ import re
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
+from deburr.steps import paced
 from deburr.templates.items import (
     LOST,
     Body,
     Builder,
+    Declaration,
     Item,
     Section,
     declarations_of,
@@ -24,7 +26,7 @@ from deburr_grammar.dialects.cgt.outline import section_name
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Generator, Iterator, Mapping, Sequence
 
     from deburr.formats.machine import Machine
     from deburr_grammar.document import Document
@@ -51,56 +53,88 @@ class Use(NamedTuple):
     section: Section
 
 
+def template_in(
+    document: Document, machine: Machine, given: Mapping[str, str] | None = None
+) -> Generator[None, None, Template]:
+    """A template, read in steps. ``machine`` is what its machine file says; ``given`` are values for this run by their names, which makes words of names that nothing declares."""
+    lines: list[tuple[int, LineNode]] = []
+    declarations: list[Declaration] = []
+    for piece in document.pieces():
+        for index in range(piece.lines):
+            node = piece.node(index)
+            if node.reading.start is not None:
+                line = piece.line + index
+                lines.append((line, node))
+                declarations += declarations_of(line, node)
+        yield
+    template = Template(lines, declarations, machine, given or {})
+    yield from template.gathering()
+    return template
+
+
 class Template:
-    """All of it, read once for each version of a program.
+    """All of it, read once for each version of a program."""
 
-    ``machine`` is what its machine file says; ``given`` are values for this run by their names, which makes words of names
-    that nothing declares.
-    """
-
-    def __init__(self, document: Document, machine: Machine, given: Mapping[str, str] | None = None) -> None:
-        self.lines = tuple(_read_lines(document))
-        self.declarations = [found for line, node in self.lines for found in declarations_of(line, node)]
+    def __init__(
+        self,
+        lines: Sequence[tuple[int, LineNode]],
+        declarations: Sequence[Declaration],
+        machine: Machine,
+        given: Mapping[str, str],
+    ) -> None:
+        self.lines = lines
+        self.declarations = declarations
         words = [
-            Word(d.name, DECLARED_TYPES[d.command], not d.command.startswith("CALC"))
-            for d in reversed(self.declarations)
+            Word(d.name, DECLARED_TYPES[d.command], not d.command.startswith("CALC")) for d in reversed(declarations)
         ]
         self.machine = machine
-        self.given = {name.strip().removeprefix("#"): said for name, said in (given or {}).items()}
+        self.given = {name.strip().removeprefix("#"): said for name, said in given.items()}
         known = {
             name: Word(name, "decimal" if is_number(said) else "string", True) for name, said in self.given.items()
         }
         self.symbols = Symbols(known | {word.name: word for word in words}, machine.words)
         self.uses: list[Use] = []
-        self.sections = self._sections()
-        self.by_name = {section.name: section for section in reversed(self.sections) if not section.faulty}
-        self.faulty_lines = frozenset(line for line, node in self.lines if node.problems)
-
-    @cached_property
-    def items(self) -> tuple[Placed, ...]:
+        self.items: list[Placed] = []
         """Every item of every section that is no table."""
-        bodies = ((section, body) for section in self.sections for body in section.body.bodies())
-        found = (Placed(item, section, body) for section, body in bodies for item in body.items())
-        return tuple(sorted(found, key=lambda placed: (placed.item.line, placed.item.start)))
+        self.bodies: list[Body] = []
+        """Every body of every section, the sections' own included."""
+        self.faulty: list[LineNode] = []
+        """The lines that cannot be read to their end."""
+        self.sections: list[Section] = []
+        self.by_name: dict[str, Section] = {}
+        self.faulty_lines: frozenset[int] = frozenset()
+        self._texts: dict[int, str] = {}
+        self._by_kind: dict[str, list[Placed]] = {}
+
+    def gathering(self) -> Iterator[None]:
+        """Find what its sections hold, in steps."""
+        faulty: list[int] = []
+        builder: Builder | None = None
+        for each in paced(self.lines):
+            if each is None:
+                yield
+                continue
+            line, node = each
+            self._texts[line] = node.text
+            if node.problems:
+                faulty.append(line)
+                self.faulty.append(node)
+            builder = self._add(line, node, builder)
+        self.faulty_lines = frozenset(faulty)
+        self.by_name = {section.name: section for section in reversed(self.sections) if not section.faulty}
 
     @cached_property
     def named_in_faults(self) -> frozenset[str]:
         """Names on lines that cannot be read to their end: what such a line does with them is not known."""
-        faulty = (node.text for _, node in self.lines if node.problems)
-        return frozenset(name for text in faulty for name in _NAME.findall(text))
+        return frozenset(name for node in self.faulty for name in _NAME.findall(node.text))
 
     @cached_property
     def presumed(self) -> frozenset[str]:
         """Names that `@DECLARE` holds without declaring them, because a comma, a sign or the type before them is wrong."""
         lines = {use.line: use for use in reversed(self.uses) if use.section.reading == "declare"}
         loose = {use.said for use in self.uses if use.role == "output" and _declares(lines.get(use.line))}
-        faulty = (node.text for _, node in self.lines if node.problems and node.reading.name == "declare")
+        faulty = (node.text for node in self.faulty if node.reading.name == "declare")
         return frozenset(loose | {name for text in faulty for name in _NAME.findall(text)})
-
-    @cached_property
-    def bodies(self) -> tuple[Body, ...]:
-        """Every body of every section, the sections' own included."""
-        return tuple(body for section in self.sections for body in section.body.bodies())
 
     def of(self, *kinds: str) -> Iterator[Placed]:
         """The items of these kinds."""
@@ -114,33 +148,31 @@ class Template:
         """A line's text."""
         return self._texts[line]
 
-    @cached_property
-    def _texts(self) -> dict[int, str]:
-        return {line: node.text for line, node in self.lines}
+    def _add(self, line: int, node: LineNode, builder: Builder | None) -> Builder | None:
+        """Take a line in; what takes in the next one."""
+        if node.reading.name == "header":
+            name, span = section_name(node)
+            if node.text.rstrip(" \t").partition("//")[0].rstrip(" \t") != "@":
+                return self._begin(Section(name, line, span, faulty=bool(node.problems)))
+        elif self.sections and builder is not None:
+            section = self.sections[-1]
+            section.reading = node.reading.name
+            if node.reading.name == "table":
+                section.rows += rows_of(line, node)
+            else:
+                builder.add(self._items(line, node, section))
+        return builder
 
-    @cached_property
-    def _by_kind(self) -> dict[str, list[Placed]]:
-        found: dict[str, list[Placed]] = {}
-        for placed in self.items:
-            found.setdefault(placed.item.kind, []).append(placed)
-        return found
+    def _begin(self, section: Section) -> Builder:
+        self.sections.append(section)
+        self.bodies.append(section.body)
 
-    def _sections(self) -> list[Section]:
-        found: list[Section] = []
-        builder: Builder | None = None
-        for line, node in self.lines:
-            if node.reading.name == "header":
-                name, span = section_name(node)
-                if node.text.rstrip(" \t").partition("//")[0].rstrip(" \t") != "@":
-                    found.append(Section(name, line, span, faulty=bool(node.problems)))
-                    builder = Builder(found[-1].body)
-            elif found and builder is not None:
-                found[-1].reading = node.reading.name
-                if node.reading.name == "table":
-                    found[-1].rows += rows_of(line, node)
-                else:
-                    builder.add(self._items(line, node, found[-1]))
-        return found
+        def place(item: Item, body: Body) -> None:
+            placed = Placed(item, section, body)
+            self.items.append(placed)
+            self._by_kind.setdefault(item.kind, []).append(placed)
+
+        return Builder(section.body, place, self.bodies.append)
 
     def _items(self, line: int, node: LineNode, section: Section) -> Iterator[Item]:
         self.uses += self._uses_on(line, node, section)
@@ -204,11 +236,3 @@ def target(item: Item) -> tuple[str, Span]:
     assert item.node is not None
     token = next(part for part in item.node.children if part.kind == "SECTION")
     return item.text[token.start - item.start : token.end - item.start], Span(token.start, token.end)
-
-
-def _read_lines(document: Document) -> Iterator[tuple[int, LineNode]]:
-    for piece in document.pieces():
-        for index in range(piece.lines):
-            node = piece.node(index)
-            if node.reading.start is not None:
-                yield piece.line + index, node

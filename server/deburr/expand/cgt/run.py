@@ -15,7 +15,7 @@ from deburr.expand.held import errors, fault_of
 from deburr.fault import Entered, Fault, Frame, Halt
 from deburr.formats.machine import place
 from deburr.templates.beside import beside, machine_in
-from deburr.templates.template import Template, target
+from deburr.templates.template import Template, target, template_in
 from deburr.templates.types import is_number
 from deburr_grammar.dialects.cgt.outline import SECTIONS
 from deburr_grammar.text import Span, split_lines
@@ -39,7 +39,8 @@ def run(job: Job) -> Iterator[None]:
     for program in job.programs:
         if job.inputs.reached_only:
             yield from hold(job, program)
-        yield from Run(job, program).all()
+        template = yield from template_in(program.document, _machine_of(job), job.inputs.define)
+        yield from Run(job, program, template).all()
 
 
 def worth_running(document: Document) -> bool:
@@ -54,10 +55,10 @@ def worth_running(document: Document) -> bool:
 class Run:
     """One run of a template."""
 
-    def __init__(self, job: Job, program: Program) -> None:
+    def __init__(self, job: Job, program: Program, template: Template) -> None:
         self._job = job
         self._file = program.file
-        self._template = Template(program.document, _machine_of(job), job.inputs.define)
+        self._template = template
         if job.inputs.reached_only:
             self._sort_out()
         else:

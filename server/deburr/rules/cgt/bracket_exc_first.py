@@ -15,19 +15,24 @@ Good:
     < #DCOMP#EXC D#DOFF >
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from deburr.analysis import Analysis
 from deburr.fixers import deleted
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.brackets import read_brackets, tests_of
+from deburr.templates.items import Body
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the operator."""
-    for body in read_brackets(template_of(analysis)):
+    yield from parted(read_brackets(template_of(analysis)), _of)
+
+
+def _of(bodies: Sequence[Body]) -> Iterator[Report]:
+    for body in bodies:
         tests = tests_of(body)
         if tests.excluded and not tests.tested:
             operator = next(item for item in tests.early if item.name == "EXC")

@@ -34,20 +34,25 @@ Good:
     <T#NTOOL>#ELSE< T0>
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
 from deburr.fix import Broken
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.brackets import extent, read_brackets, tests_of
+from deburr.templates.items import Body
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the bracket."""
-    for body in read_brackets(template_of(analysis)):
+    yield from parted(read_brackets(template_of(analysis)), _of)
+
+
+def _of(bodies: Sequence[Body]) -> Iterator[Report]:
+    for body in bodies:
         tests = tests_of(body)
         if not tests.tested and not tests.excluded:
             assert body.opener

@@ -42,11 +42,11 @@ from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.fixers import split
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.items import DEEPEST, Body, Item
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the call."""
     template = template_of(analysis)

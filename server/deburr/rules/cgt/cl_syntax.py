@@ -74,7 +74,7 @@ from typing import TYPE_CHECKING
 
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import similar_section, unreadable
-from deburr.rules.cgt._template import configured, template_of
+from deburr.rules.cgt._template import configured, ready, template_of
 from deburr.templates.beside import events_in, is_events, toolpath_faults
 from deburr.templates.template import Template
 from deburr_grammar.dialects.cgt.outline import SECTIONS
@@ -86,7 +86,7 @@ if TYPE_CHECKING:
     from deburr.formats.events import Event, Given
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report what cannot be read, in the toolpath itself."""
     template = template_of(analysis)

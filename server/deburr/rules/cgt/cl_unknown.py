@@ -35,11 +35,11 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import configured
+from deburr.rules.cgt._template import configured, ready
 from deburr.templates.beside import toolpath_faults
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the statement or the values."""
     file = configured(analysis, "input")

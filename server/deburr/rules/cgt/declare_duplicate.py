@@ -34,11 +34,11 @@ from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.cgt._declared import undeclared
-from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.items import Declaration
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report every declaration but the first."""
     first: dict[str, Declaration] = {}

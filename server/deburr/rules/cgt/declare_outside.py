@@ -36,10 +36,10 @@ from deburr.analysis import Analysis
 from deburr.fixers import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import misspelt_declare
-from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._template import ready, template_of
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the declaration; where the section's name is misspelt, that."""
     template = template_of(analysis)

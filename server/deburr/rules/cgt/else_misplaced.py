@@ -40,27 +40,34 @@ Good:
     >
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence, Set
+from functools import partial
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.fixers import blanks_left_out
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.items import Body, Item
 
 
-@rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the command."""
     template = template_of(analysis)
     bodies = {id(body): body for _, _, body in template.of("else")}
-    # A section may hold thousands of them: each is found in its body by a look-up.
-    places = {id(part): at for body in bodies.values() for at, part in enumerate(body.parts)}
-    for item, _, body in template.of("else"):
-        if item.line not in template.faulty_lines:
-            at = places[id(item)]
+    # A section may hold thousands of them: all are found in one walk along its parts.
+    yield from parted(
+        ((body, at) for body in bodies.values() for at in range(len(body.parts))),
+        partial(_of_parts, template.faulty_lines),
+    )
+
+
+def _of_parts(faulty: Set[int], parts: Sequence[tuple[Body, int]]) -> Iterator[Report]:
+    for body, at in parts:
+        item = body.parts[at]
+        if isinstance(item, Item) and item.kind == "else" and item.line not in faulty:
             yield from _of(item, body.parts[at - 1] if at else None, body.parts[at + 1 : at + 2])
 
 

@@ -36,26 +36,36 @@ Good:
     #EVAL(#ABSI=1)
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from deburr.analysis import Analysis
 from deburr.fixers import did_you_mean
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.items import Item
+from deburr.templates.template import Placed, Template, Use
 from deburr_grammar.text import Span
 
 
-@rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the target."""
     template = template_of(analysis)
-    for item, _, _ in template.of("eval"):
+    yield from parted(template.of("eval"), partial(_of_items, template))
+    yield from parted(template.uses, _of_uses)
+
+
+def _of_items(template: Template, items: Sequence[Placed]) -> Iterator[Report]:
+    for item, _, _ in items:
         if (token := _no_word(item)) is not None:
             said = item.text[token.start - item.start : token.end - item.start]
             hint = f"; did you mean `#{said}`?" if template.symbols.find(said) else ""
             yield Report(token, f"`{said}` is no word, so nothing can be stored in it{hint}", item.line)
-    for use in template.uses:
+
+
+def _of_uses(uses: Sequence[Use]) -> Iterator[Report]:
+    for use in uses:
         word = use.spelled.word
         if use.role == "target" and (
             use.spelled.kind in ("command", "class") or (word is not None and not word.settable)

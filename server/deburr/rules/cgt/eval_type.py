@@ -58,15 +58,17 @@ Good:
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
 from deburr.fix import Broken
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.items import Item
 from deburr.templates.symbols import Symbols, functions, missing_sign
+from deburr.templates.template import Placed, Template
 from deburr.templates.types import is_plain, misfits, no_numbers, value_of
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
@@ -74,11 +76,15 @@ from deburr_grammar.tree import Node, Token
 _BEHIND = {"eval": "EQUAL", "macro": "EQUAL", "returned": "OPEN"}
 
 
-@rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the value."""
     template = template_of(analysis)
-    for item, _, _ in template.of(*_BEHIND):
+    yield from parted(template.of(*_BEHIND), partial(_of_items, template))
+
+
+def _of_items(template: Template, items: Sequence[Placed]) -> Iterator[Report]:
+    for item, _, _ in items:
         text = template.text(item.line)
         if (is_text := _wants_text(item, template.symbols, text)) is not None:
             yield from _of(item, is_text, template.symbols, text)

@@ -39,11 +39,11 @@ from deburr.analysis import Analysis
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.template import target
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the command."""
     template = template_of(analysis)

@@ -32,12 +32,12 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.arithmetic.cgt import constant
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.items import Item
 from deburr.templates.template import Template
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the command."""
     template = template_of(analysis)

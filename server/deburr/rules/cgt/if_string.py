@@ -26,22 +26,28 @@ Good:
     #IF(STRLEN(#S1)>3)<M08>
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
 from deburr.fix import Broken
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
+from deburr.templates.template import Placed, Template
 from deburr.templates.types import no_numbers
 from deburr_grammar.text import Span
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the text."""
     template = template_of(analysis)
-    for item, _, _ in template.of("if"):
+    yield from parted(template.of("if"), partial(_of_items, template))
+
+
+def _of_items(template: Template, items: Sequence[Placed]) -> Iterator[Report]:
+    for item, _, _ in items:
         tests = item.node.node("tests") if item.node else None
         text = template.text(item.line)
         for part in no_numbers(template.symbols, text, tests) if tests else ():

@@ -46,27 +46,37 @@ Good:
     #REPEAT(100000)<M08>
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from deburr.analysis import Analysis
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
-from deburr.templates.items import DEEPEST
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
+from deburr.templates.items import DEEPEST, Body
+from deburr.templates.template import Placed, Template
 from deburr_grammar.text import Span
 
 MOST_PASSES = 100_000
 
 
-@rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the bracket that is too deep, and the count."""
     template = template_of(analysis)
-    for body in template.bodies:
+    yield from parted(template.bodies, _of_bodies)
+    yield from parted(template.of("repeat"), partial(_of_items, template))
+
+
+def _of_bodies(bodies: Sequence[Body]) -> Iterator[Report]:
+    for body in bodies:
         # Deeper ones say nothing new.
         if body.opener and body.depth == DEEPEST + 1:
             message = f"this bracket stands {DEEPEST + 1} deep; {DEEPEST} are the limit"
             yield Report(body.opener.span, message, body.opener.line)
-    for item, _, _ in template.of("repeat"):
+
+
+def _of_items(template: Template, items: Sequence[Placed]) -> Iterator[Report]:
+    for item, _, _ in items:
         assert item.node is not None
         count = item.node.children[2]
         said = template.text(item.line)[count.start : count.end]

@@ -77,14 +77,14 @@ from deburr.analysis import Analysis
 from deburr.formats.machine import place
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import unreadable
-from deburr.rules.cgt._template import configured, template_of
+from deburr.rules.cgt._template import configured, ready, template_of
 from deburr.suggest import suggestion
 from deburr.templates.symbols import built_in, table_words
 from deburr.templates.template import Template, target
 from deburr_grammar.text import Span
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the key, in the machine file itself."""
     template = template_of(analysis)

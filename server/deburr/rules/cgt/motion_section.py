@@ -54,33 +54,41 @@ Good (whole):
     @
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence, Set
 
 from deburr.analysis import Analysis
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.symbols import POSITIONS
-from deburr.templates.template import Template, target
+from deburr.templates.template import Template, Use, target
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the header."""
     template = template_of(analysis)
     section = template.by_name.get("LINE")
     if section is None:
         return
-    used = _mentioned(template, "LINE")
+    names: dict[str, set[str]] = {}
+
+    def take(uses: Sequence[Use]) -> None:
+        for use in uses:
+            if use.spelled.name in POSITIONS:
+                names.setdefault(use.section.name, set()).add(use.spelled.name)
+
+    yield from parted(template.uses, take)
+    used = _mentioned(template, names, "LINE")
     if not used:
         message = "`@LINE` outputs none of `#XPOS`, `#YPOS`, `#ZPOS`; straight cuts would be lost"
         yield Report(section.span, message, section.line)
-    elif missing := [f"`#{name}`" for name in POSITIONS if name in _mentioned(template, "RAP") - used]:
+    elif missing := [f"`#{name}`" for name in POSITIONS if name in _mentioned(template, names, "RAP") - used]:
         message = f"`@LINE` never outputs {', '.join(missing)}, which `@RAP` does; cuts along that axis would be lost"
         yield Report(section.span, message, section.line)
 
 
-def _mentioned(template: Template, name: str) -> set[str]:
-    """The positions that a section, or one that it calls, mentions anywhere, lines with syntax faults included."""
+def _mentioned(template: Template, names: Mapping[str, Set[str]], name: str) -> set[str]:
+    """The positions that a section, or one that it calls, mentions anywhere, lines with syntax faults included. ``names``: those on lines that can be read, by sections."""
     calls: dict[str, set[str]] = {}
     for call, section in template.calls():
         calls.setdefault(section.name, set()).add(target(call)[0])
@@ -89,6 +97,6 @@ def _mentioned(template: Template, name: str) -> set[str]:
         behind = calls.get(waiting.pop(), set()) - reached
         reached |= behind
         waiting += behind
-    names = {use.spelled.name for use in template.uses if use.section.name in reached}
-    faulty = " ".join(node.text for _, node in template.lines if node.problems).upper()
-    return {each for each in POSITIONS if each in names or f"#{each}" in faulty}
+    found = {each for section in reached for each in names.get(section, ())}
+    faulty = " ".join(node.text for node in template.faulty).upper()
+    return {each for each in POSITIONS if each in found or f"#{each}" in faulty}

@@ -25,21 +25,27 @@ Good:
     <#CYCLE<S#SPEED>>
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from deburr.analysis import Analysis
-from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Note, Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.brackets import tests_of
 from deburr.templates.items import Body, Item
 from deburr.templates.symbols import POSITIONS
+from deburr.templates.template import Placed
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the position."""
     known: dict[tuple[int, str], Item | None] = {}
-    for item, _, body in template_of(analysis).of("word"):
+    yield from parted(template_of(analysis).of("word"), partial(_of_words, known))
+
+
+def _of_words(known: dict[tuple[int, str], Item | None], words: Sequence[Placed]) -> Iterator[Report]:
+    for item, _, body in words:
         if item.name in POSITIONS:
             holder = _holder(body, item.name, known)
             if holder is not None:

@@ -27,10 +27,10 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import first_place
-from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._template import ready, template_of
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the template at its first header."""
     template = template_of(analysis)

@@ -41,17 +41,18 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.fixers import deleted
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.brackets import Tests, read_brackets, tests_of
 from deburr.templates.items import Body, Item
 
 
-@rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the operator."""
     template = template_of(analysis)
-    whole = set(read_brackets(template))
+    whole: set[Body] = set()
+    yield from parted(read_brackets(template), whole.update)
     for body in dict.fromkeys(placed.body for placed in template.of("operator")):
         for item, why in _in(body, body in whole):
             yield Report(item.span, why, item.line)

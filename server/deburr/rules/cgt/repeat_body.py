@@ -28,15 +28,16 @@ Good:
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 
 
-@rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the command."""
     template = template_of(analysis)
-    heads = {id(body.head) for body in template.bodies if body.head}
+    heads: set[int] = set()
+    yield from parted(template.bodies, lambda some: heads.update([id(body.head) for body in some if body.head]))
     for item, _, _ in template.of("repeat"):
         if id(item) not in heads and item.line not in template.faulty_lines:
             yield Report(item.span, f"`{item.text}` repeats nothing; a body `<...>` must follow", item.line)

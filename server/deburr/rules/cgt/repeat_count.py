@@ -32,22 +32,28 @@ Good:
     #REPEAT(#V1)<M08>
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from deburr.analysis import Analysis
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.symbols import Symbols
+from deburr.templates.template import Placed, Template
 from deburr.templates.types import no_numbers
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
 
-@rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the count."""
     template = template_of(analysis)
-    for item, _, _ in template.of("repeat"):
+    yield from parted(template.of("repeat"), partial(_of, template))
+
+
+def _of(template: Template, items: Sequence[Placed]) -> Iterator[Report]:
+    for item, _, _ in items:
         assert item.node is not None
         text, count = template.text(item.line), item.node.children[2]
         if not _counts(template.symbols, text, count):

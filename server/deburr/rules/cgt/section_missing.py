@@ -39,10 +39,10 @@ from deburr.analysis import Analysis
 from deburr.fixers import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import missing, similar_section
-from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._template import ready, template_of
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the name that leads nowhere."""
     template = template_of(analysis)

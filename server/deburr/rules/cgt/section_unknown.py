@@ -60,12 +60,12 @@ from deburr.fix import Broken
 from deburr.fixers import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.cgt._sections import computed, misspelt, misspelt_declare, similar_section
-from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.template import Template, target
 from deburr_grammar.dialects.cgt.outline import SECTIONS
 
 
-@rule(Severity.INFO, Whole())
+@rule(Severity.INFO, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the header."""
     template = template_of(analysis)

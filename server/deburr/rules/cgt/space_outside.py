@@ -23,28 +23,36 @@ Good:
     #IF(#V1>3)< <X#XPOS> M08>
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence, Set
+from functools import partial
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
 from deburr.fix import Broken
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.items import Item
-from deburr.templates.template import Template
+from deburr.templates.template import Placed, Template
 
 
-@rule(Severity.INFO, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.INFO, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the first blank of each such line."""
     template = template_of(analysis)
     lines: dict[int, list[tuple[Item, bool]]] = {}
-    for item, section, body in template.items:
-        if section.reading != "declare" and item.line not in template.faulty_lines:
-            inside = body.opener is not None and body.opener.line == item.line
-            lines.setdefault(item.line, []).append((item, inside))
-    openers = _openers(template)
-    for line, items in lines.items():
+
+    def take(items: Sequence[Placed]) -> None:
+        for item, section, body in items:
+            if section.reading != "declare" and item.line not in template.faulty_lines:
+                inside = body.opener is not None and body.opener.line == item.line
+                lines.setdefault(item.line, []).append((item, inside))
+
+    yield from parted(template.items, take)
+    yield from parted(lines.items(), partial(_on_lines, _openers(template)))
+
+
+def _on_lines(openers: Set[int], lines: Sequence[tuple[int, list[tuple[Item, bool]]]]) -> Iterator[Report]:
+    for line, items in lines:
         blank = _lonely(items, line in openers)
         if blank is not None:
             yield Report(

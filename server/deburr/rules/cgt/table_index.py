@@ -61,12 +61,12 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.arithmetic.cgt import constant
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.template import target
 from deburr_grammar.text import Span
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the row number."""
     template = template_of(analysis)

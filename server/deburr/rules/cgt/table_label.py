@@ -31,11 +31,11 @@ from deburr.analysis import Analysis
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._template import ready, template_of
 from deburr_grammar.text import Span
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the label."""
     template = template_of(analysis)

@@ -46,18 +46,18 @@ Good:
     0,M40
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from deburr.analysis import Analysis
-from deburr.rule import Report, Severity, Whole, rule
+from deburr.rule import Report, Severity, Whole, parted, rule
 from deburr.rules.cgt._sections import similar_section
-from deburr.rules.cgt._template import template_of
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.symbols import rows_of
-from deburr.templates.template import Template, target
+from deburr.templates.template import Template, Use, target
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the name."""
     template = template_of(analysis)
     tables = {section.name for section in template.sections if section.is_table} | template.machine.tables.keys()
@@ -69,10 +69,14 @@ def check(analysis: Analysis) -> Iterator[Report]:
     for each in template.declarations:
         if each.command == "TBL" and each.inside and each.name not in tables and each.name in template.symbols.declared:
             yield Report(each.span, _empty(each.name, names), each.line)
-    for use in template.uses:
-        name = use.spelled.name
-        if use.role == "output" and _prints_rows(template, name) and name not in tables and not rows_of(name):
-            yield Report(use.span, _empty(name, names), use.line)
+
+    def of(uses: Sequence[Use]) -> Iterator[Report]:
+        for use in uses:
+            name = use.spelled.name
+            if use.role == "output" and _prints_rows(template, name) and name not in tables and not rows_of(name):
+                yield Report(use.span, _empty(name, names), use.line)
+
+    yield from parted(template.uses, of)
 
 
 def _prints_rows(template: Template, name: str) -> bool:

@@ -29,18 +29,18 @@ Good:
 """
 
 from collections.abc import Iterator
+from itertools import chain
 
 from deburr.analysis import Analysis
-from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Note, Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.items import Body, Item
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the first thing behind the command."""
-    for body in template_of(analysis).bodies:
-        yield from _in(body)
+    yield from parted(template_of(analysis).bodies, lambda bodies: chain.from_iterable(map(_in, bodies)))
 
 
 def _in(body: Body) -> Iterator[Report]:

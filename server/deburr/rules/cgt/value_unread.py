@@ -34,30 +34,38 @@ Good:
     #IF(#V3>10)<M00#EVAL(#V3=0)>
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from deburr.analysis import Analysis
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.items import words_in
 from deburr.templates.symbols import is_free
-from deburr.templates.template import Template
+from deburr.templates.template import Placed, Template, Use
 
 
-@rule(Severity.INFO, Whole(), default=False)
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.INFO, Whole(ready), default=False)
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the first setting of each word."""
     template = template_of(analysis)
-    own = frozenset(_of_themselves(template))
-    read = {
-        use.spelled.name for use in template.uses if use.role not in _WITHOUT and (use.line, use.span.start) not in own
-    }
-    # A misspelt use is reported where it stands, and offers the word that is meant.
-    read |= {
-        template.symbols.nearest(use.said) for use in template.uses if use.spelled.kind in ("undeclared", "unknown")
-    }
-    read |= template.named_in_faults
-    for use in template.uses:
+    own: set[tuple[int, int]] = set()
+    yield from parted(template.of("eval"), lambda items: own.update(_of_themselves(template, items)))
+    read = set(template.named_in_faults)
+
+    def take(uses: Sequence[Use]) -> None:
+        taken = [use for use in uses if use.role not in _WITHOUT and (use.line, use.span.start) not in own]
+        read.update([use.spelled.name for use in taken])
+        # A misspelt use is reported where it stands, and offers the word that is meant.
+        misspelt = [use.said for use in uses if use.spelled.kind in ("undeclared", "unknown")]
+        read.update([template.symbols.nearest(said) for said in misspelt])
+
+    yield from parted(template.uses, take)
+    yield from parted(template.uses, partial(_of, template, read))
+
+
+def _of(template: Template, read: set[str], uses: Sequence[Use]) -> Iterator[Report]:
+    for use in uses:
         name = use.spelled.name
         if use.role == "target" and name not in read and (is_free(name) or name in template.symbols.declared):
             read.add(name)
@@ -70,9 +78,9 @@ _WITHOUT = ("target", "format", "declared")
 """What is done to a word without its value."""
 
 
-def _of_themselves(template: Template) -> Iterator[tuple[int, int]]:
+def _of_themselves(template: Template, items: Sequence[Placed]) -> Iterator[tuple[int, int]]:
     """Where a word is read only to set it again: lines and columns."""
-    for item, _, _ in template.of("eval"):
+    for item, _, _ in items:
         words = list(words_in(item.node)) if item.node is not None else []
         said = [(template.text(item.line)[token.start + 1 : token.end], token, role) for token, role in words]
         targets = {name for name, _, role in said if role == "target"}

@@ -20,17 +20,22 @@ Good:
     TOOL#TOOL#EVAL(#V1=1)
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from deburr.analysis import Analysis
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
+from deburr.templates.template import Use
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the word with the text."""
-    for use in template_of(analysis).uses:
+    yield from parted(template_of(analysis).uses, _of)
+
+
+def _of(uses: Sequence[Use]) -> Iterator[Report]:
+    for use in uses:
         rest = use.spelled.rest
         if rest:
             message = (

@@ -31,21 +31,26 @@ Good:
     S#cut_power
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from deburr.analysis import Analysis
 from deburr.fixers import did_you_mean
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.symbols import commands, format_classes
-from deburr.templates.template import Use
+from deburr.templates.template import Template, Use
 
 
-@rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the word."""
     template = template_of(analysis)
-    for use in template.uses:
+    yield from parted(template.uses, partial(_of, template))
+
+
+def _of(template: Template, uses: Sequence[Use]) -> Iterator[Report]:
+    for use in uses:
         if _asked(use) and use.spelled.kind == "undeclared" and use.said not in template.presumed:
             hint = template.symbols.similar(use.said, format_classes() if use.role == "format" else commands())
             yield Report(use.span, f"`#{use.said}` is not declared; declare it in `@DECLARE`{hint}", use.line)

@@ -29,21 +29,27 @@ Good (machine=mill.toml):
     WPOS = "decimal"
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from deburr.analysis import Analysis
 from deburr.fixers import did_you_mean
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.cgt._template import template_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.cgt._template import ready, template_of
 from deburr.templates.symbols import commands, format_classes
+from deburr.templates.template import Template, Use
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the word."""
     template = template_of(analysis)
+    yield from parted(template.uses, partial(_of, template))
+
+
+def _of(template: Template, uses: Sequence[Use]) -> Iterator[Report]:
     machine = template.machine
-    for use in template.uses:
+    for use in uses:
         if use.role in ("macro", "declared"):
             continue
         if use.spelled.kind == "unknown":
