@@ -229,6 +229,10 @@ class Document:
         """
         return self._gathered(self._root, self._outliner.start, key, of, cut)
 
+    def gathering(self, key: Hashable, of: Callable[[Piece], frozenset[S]]) -> Iterator[None]:
+        """Find what `gathered` gives without a ``cut``, in work that can be left behind each chunk."""
+        yield from self._gathering(self._root, self._outliner.start, key, of)
+
     def holding(self, key: Hashable, of: Callable[[Piece], frozenset[S]], item: S) -> Iterator[Piece]:
         """The pieces that hold an item of what is `gathered`, in order; branches without it are passed over."""
         waiting: list[tuple[Branch | Chunk, Before, int]] = [(self._root, self._outliner.start, 0)]
@@ -244,6 +248,16 @@ class Document:
                 inner.append((child, held, line))
                 line += child.eols
             waiting += reversed(inner)
+
+    def _gathering(
+        self, node: Branch | Chunk, before: Before, key: Hashable, of: Callable[[Piece], frozenset[S]]
+    ) -> Iterator[None]:
+        if (key, self._outliner.key(node, before)) in node.memo:
+            return
+        for child, held in self._outliner.inner(node, before) if isinstance(node, Branch) else ():
+            yield from self._gathering(child, held, key, of)
+        self._gathered(node, before, key, of, lambda found: found)
+        yield
 
     def _gathered(
         self,

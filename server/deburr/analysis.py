@@ -12,8 +12,8 @@ from deburr.inputs import Inputs
 from deburr.rule import Note, Notice, Rule, Structure, Whole
 from deburr.ruleset import RuleSet
 from deburr.stateful import Said
-from deburr.steps import done, kept
-from deburr.suppress import UNUSED, allowed, is_allowed, mentions
+from deburr.steps import done, kept, paced
+from deburr.suppress import UNUSED, allowing, is_allowed, mentions
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.document import Document, Piece
 from deburr_grammar.structure import StructureFault
@@ -22,6 +22,8 @@ from deburr_grammar.text import with_newlines
 _SCOPES = "scopes"
 _FEW = 16
 """Shapes that are planned in one step."""
+_LINES = 64
+"""Lines of which rules are asked in one step."""
 
 
 class Analysis:
@@ -77,18 +79,26 @@ class Analysis:
         """All findings, in order."""
         return done(self.gathering())
 
-    def gathering(self, early: Callable[[list[Finding]], None] | None = None) -> Generator[None, None, list[Finding]]:
+    def gathering(
+        self, early: Callable[[list[Finding]], Iterator[None]] | None = None
+    ) -> Generator[None, None, list[Finding]]:
         """All findings, in order, as work that can be left at each of its steps.
 
-        ``early`` is told what the program says as it stands, before its values are proven and it is run.
+        ``early`` is told what the program says as it stands, before its values are proven and it is run; that is work of the same sort.
         """
         found: list[Finding] = []
         for piece in self.document.pieces():
             yield from self._planning(piece)
-            found += [self._finding(piece.line + local.line, local) for local in self._on_piece(piece)]
+            on_piece = yield from self._on_piece(piece)
+            found += [self._finding(piece.line + local.line, local) for local in on_piece]
             yield
         yield from self._passed()
-        found += [self._finding(piece.line + said.line, said) for piece, said in self._modal()]
+        for each in paced(self._modal()):
+            if each is None:
+                yield
+            else:
+                piece, said = each
+                found.append(self._finding(piece.line + said.line, said))
         for fault in self.document.faults if self.ruleset.on_structure else ():
             found += self.fault_findings(fault)
         for rule in self.ruleset.on_whole:
@@ -96,14 +106,13 @@ class Analysis:
             yield from self._whole(rule, found)
         found += self._noticed(self.notices)
         if early is not None and (self._prove is not None or self._run is not None):
-            early(self._kept(found, whole=False))
-            yield
+            yield from early((yield from self._keeping(found, whole=False)))
         if self._prove is not None:
             yield from self._more(found, self._prove)
         if self._run is not None and all(finding.severity < Severity.ERROR for finding in found):
             # A program that is wrong as it stands is not run: what it would meet would be guesses.
             yield from self._more(found, self._run)
-        return self._kept(found)
+        return (yield from self._keeping(found))
 
     def _whole(self, rule: Rule, found: list[Finding]) -> Iterator[None]:
         """Add what a rule says of the whole program."""
@@ -125,10 +134,18 @@ class Analysis:
                 said.add((other.rule, other.place))
                 found.append(other)
 
-    def _kept(self, found: list[Finding], *, whole: bool = True) -> list[Finding]:
+    def _keeping(self, found: list[Finding], *, whole: bool = True) -> Generator[None, None, list[Finding]]:
         """What no comment allows, in order. A comment speaks for the file that it stands in, and is of no use only if the ``whole`` has none for it."""
-        elsewhere = [each for each in found if each.place.file != self.file and not self._is_allowed_there(each)]
-        kept = allowed(self.document, [finding for finding in found if finding.place.file == self.file], self.ruleset)
+        elsewhere: list[Finding] = []
+        here: list[Finding] = []
+        for each in paced(found):
+            if each is None:
+                yield
+            elif each.place.file == self.file:
+                here.append(each)
+            elif not self._is_allowed_there(each):
+                elsewhere.append(each)
+        kept = yield from allowing(self.document, here, self.ruleset)
         notices = kept.notices if whole else (each for each in kept.notices if each.kind != UNUSED)
         return sorted([*kept.findings, *elsewhere, *self._noticed(notices)], key=lambda finding: finding.order)
 
@@ -176,12 +193,18 @@ class Analysis:
         if stateful := self.ruleset.stateful:
             yield from stateful.findings(self.document)
 
-    def _on_piece(self, piece: Piece) -> tuple[Said, ...]:
+    def _on_piece(self, piece: Piece) -> Generator[None, None, tuple[Said, ...]]:
         """What rules on lines say of a chunk: kept with the chunk."""
         key = (self.ruleset, self.document.key(piece))
         found: tuple[Said, ...] | None = piece.chunk.memo.get(key)
         if found is None:
-            found = piece.chunk.memo[key] = (*self._planned(piece), *self._texts(piece), *self._long(piece))
+            said: list[Said] = []
+            for each in self._planned(piece):
+                if each is None:
+                    yield
+                else:
+                    said.append(each)
+            found = piece.chunk.memo[key] = (*said, *self._texts(piece), *self._long(piece))
         return found
 
     def _planning(self, piece: Piece) -> Iterator[None]:
@@ -202,11 +225,14 @@ class Analysis:
         said = self.ruleset.on_line(node, plan, piece.chunk.ending(index))
         return (Said(index, rule, report) for rule, report in said)
 
-    def _planned(self, piece: Piece) -> Iterator[Said]:
+    def _planned(self, piece: Piece) -> Iterator[Said | None]:
+        """What is said of lines that some rule asks for, with a None behind some of these."""
         plan = self.ruleset.plan
-        for index, _, _ in piece.where(lambda reading, shape: plan(shape, reading)):
+        for number, (index, _, _) in enumerate(piece.where(lambda reading, shape: plan(shape, reading)), 1):
             for rule, report in self.ruleset.said(piece, index):
                 yield Said(index, rule, report)
+            if not number % _LINES:
+                yield None
 
     def _texts(self, piece: Piece) -> Iterator[Said]:
         text = with_newlines(piece.chunk.text)

@@ -5,7 +5,7 @@ several alone on lines that follow each other speak for the line behind them.
 """
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterable, Iterator, Mapping, Sequence
 from functools import cache, lru_cache
 from itertools import islice
 from typing import NamedTuple
@@ -13,6 +13,7 @@ from typing import NamedTuple
 from deburr.finding import Finding
 from deburr.rule import Notice, covers
 from deburr.ruleset import RuleSet
+from deburr.steps import done, paced
 from deburr_grammar.chunk import Chunk
 from deburr_grammar.dialect import Dialect
 from deburr_grammar.dialects import NAMES
@@ -44,28 +45,42 @@ class Allow(NamedTuple):
 class Allowed(NamedTuple):
     """What is left of findings, and what is to be said of the comments themselves."""
 
-    findings: list[Finding]
+    findings: Sequence[Finding]
     notices: list[Notice]
 
 
 def allows(document: Document) -> dict[int, tuple[Allow, ...]]:
     """All such comments of a program by line."""
+    return done(_allows(document))
+
+
+def _allows(document: Document) -> Generator[None, None, dict[int, tuple[Allow, ...]]]:
     found: dict[int, tuple[Allow, ...]] = {}
     first = 0
     for chunk in document.chunks():
         found.update((first + index, names) for index, names in _in_chunk(chunk, document.dialect))
         first += chunk.eols
+        yield
     return found
 
 
-def allowed(document: Document, findings: Iterable[Finding], ruleset: RuleSet) -> Allowed:
-    """The findings that no comment allows, and the comments that allowed none."""
-    table, misspelt = allows(document), list(_misspelt(document))
+def allowing(document: Document, findings: Sequence[Finding], ruleset: RuleSet) -> Generator[None, None, Allowed]:
+    """The findings that no comment allows, and the comments that allowed none, found in steps."""
+    table = yield from _allows(document)
+    misspelt: list[Notice] = []
+    for notice in _misspelt(document):
+        if notice is None:
+            yield
+        else:
+            misspelt.append(notice)
     if not table:
-        return Allowed(list(findings), misspelt)
+        return Allowed(findings, misspelt)
     kept: list[Finding] = []
     used: set[tuple[int, Allow]] = set()
-    for finding in findings:
+    for finding in paced(findings):
+        if finding is None:
+            yield
+            continue
         speaking = [each for each in _speaking(table, finding.place.line) if covers(each[1].name, finding.rule)]
         used.update(speaking)
         kept += [] if speaking else [finding]
@@ -123,14 +138,15 @@ def _meant(dialect: Dialect) -> re.Pattern[str]:
     return re.compile(comment_pattern(dialect.comments, inner), re.I)
 
 
-def _misspelt(document: Document) -> Iterator[Notice]:
-    """Comments that are certainly meant to allow a rule and do not."""
+def _misspelt(document: Document) -> Iterator[Notice | None]:
+    """Comments that are certainly meant to allow a rule and do not, with a None behind each chunk."""
     first = 0
     for chunk in document.chunks():
         for index, span, name in _misspelt_in_chunk(chunk, document.dialect):
             if document.node(first + index).reading.start is not None:
                 yield Notice(MISSPELT, first + index, span, name)
         first += chunk.eols
+        yield None
 
 
 def _misspelt_in_chunk(chunk: Chunk, dialect: Dialect) -> tuple[tuple[int, Span, str], ...]:

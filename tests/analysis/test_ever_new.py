@@ -64,7 +64,7 @@ def test_shapes_that_no_document_holds_are_let_go(dialect: str, monkeypatch: pyt
         text = f"X1 ; {word(number)}" if dialect == "cgt" else f"{word(number)} ="
         document = Document.parse(f"G1 X1\n{text}\n", by_name(dialect))
         seen.update(document.node(line).shape for line in range(2))
-        for _ in Analysis(document, ruleset(dialect), "a").gathering(lambda found: None):
+        for _ in Analysis(document, ruleset(dialect), "a").gathering(lambda found: iter(())):
             pass
     del document
     gc.collect()

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import gc
 import signal
 import sys
 from collections import Counter
@@ -24,6 +25,8 @@ _EVERY = 0.002
 """Seconds of the processor between two looks at what is being done."""
 _LONG = 0.01
 """Seconds of a step of which it is told where it was."""
+_SHOWN = 5
+"""Calls that are shown of a step, the innermost ones."""
 _PROGRAMS = {"cam": cam, "macro": macro, "mixed": mixed}
 _URI = "untitled:large"
 
@@ -42,12 +45,16 @@ class Pace:
         self.steps: list[Step] = []
         self.total = 0.0
         self._seen: Counter[tuple[str, ...]] = Counter()
+        self._garbage = 0.0
+        """Seconds of a step in which garbage was looked for."""
         signal.signal(signal.SIGPROF, self._look)
+        gc.callbacks.append(self._collected)
 
     def measured(self, work: Iterator[Any]) -> Iterator[Any]:
         """The same work."""
         while True:
             self._seen.clear()
+            self._garbage = 0.0
             signal.setitimer(signal.ITIMER_PROF, _EVERY, _EVERY)
             begun = process_time()
             try:
@@ -59,8 +66,12 @@ class Pace:
                 signal.setitimer(signal.ITIMER_PROF, 0)
                 self.total += taken
                 if taken >= _LONG:
-                    self.steps.append(Step(taken, self._where()))
+                    garbage = [f"garbage:{self._garbage * 1000:.0f}"] if 2 * self._garbage > taken else []
+                    self.steps.append(Step(taken, [*self._where(), *garbage]))
             yield found
+
+    def _collected(self, phase: str, info: dict[str, int]) -> None:
+        self._garbage += process_time() if phase == "stop" else -process_time()
 
     def _look(self, number: int, frame: FrameType | None) -> None:
         stack = []
@@ -119,8 +130,11 @@ def main(dialect: str, lines: str = "100000", kind: str = "macros") -> None:
     text = program(dialect, int(lines), kind)
     pace = paced(dialect, text)
     print(f"{dialect} {kind}: {text.count(chr(10)):,} lines, {pace.total:.2f} s in all")
-    for step in sorted(pace.steps, reverse=True)[:25]:
-        print(f"{step.seconds * 1000:6.0f} ms  {' '.join(step.where[2:])}")
+    places: dict[str, list[float]] = {}
+    for step in pace.steps:
+        places.setdefault(" ".join(step.where[-_SHOWN:]), []).append(step.seconds)
+    for where, seconds in sorted(places.items(), key=lambda each: -max(each[1])):
+        print(f"{max(seconds) * 1000:6.0f} ms {len(seconds):4}x  {where}")
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from deburr.ruleset import RuleSet
     from deburr_grammar.document import Document
 
-SLICE = 2_000
+SLICE = 500
 """Executed steps between two moments at which a run can be left."""
 EXACT = 400
 """So many decimals hold the shortest text of every number that there is."""

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from heapq import merge
 from itertools import islice
-from operator import attrgetter
+from operator import attrgetter, itemgetter
 
 from deburr.finding import Finding, Place
+from deburr.steps import done, paced
 
 _SIZE = 64
 """Findings of a block: so many are looked at for an edit among them, and all others a block at a time."""
@@ -48,8 +49,33 @@ class Held:
     @classmethod
     def of(cls, findings: Iterable[Finding]) -> Held:
         """Findings in any order."""
-        every = sorted(set(findings), key=_order)
-        return cls(_blocks([each for each in every if not each.related]), tuple(each for each in every if each.related))
+        return done(cls.holding(findings))
+
+    @classmethod
+    def holding(cls, findings: Iterable[Finding]) -> Generator[None, None, Held]:
+        """The same, made in steps; but for those that are nearly in order already the sorting is one."""
+        seen: dict[Finding, tuple[object, ...]] = {}
+        for each in paced(findings):
+            if each is None:
+                yield
+            elif each not in seen:
+                seen[each] = _order(each)
+        every = [each for each, _ in sorted(seen.items(), key=itemgetter(1))]
+        yield
+        plain: list[Finding] = []
+        linked: list[Finding] = []
+        for each in paced(every):
+            if each is None:
+                yield
+            else:
+                (linked if each.related else plain).append(each)
+        blocks: list[_Block] = []
+        for block in paced(_in_blocks(plain)):
+            if block is None:
+                yield
+            else:
+                blocks.append(block)
+        return cls(tuple(blocks), tuple(linked))
 
     @cached_property
     def _count(self) -> int:
@@ -131,16 +157,18 @@ def shifted(finding: Finding, lines: int) -> Finding:
 
 def _blocks(findings: Sequence[Finding]) -> tuple[_Block, ...]:
     """Findings in order, in blocks; those of one line are never in two."""
-    blocks: list[_Block] = []
+    return tuple(_in_blocks(findings))
+
+
+def _in_blocks(findings: Sequence[Finding]) -> Iterator[_Block]:
     start = 0
     while start < len(findings):
         stop = min(start + _SIZE, len(findings))
         while stop < len(findings) and findings[stop].place.line == findings[stop - 1].place.line:
             stop += 1
         part = tuple(findings[start:stop])
-        blocks.append(_Block(0, part[0].place.line, max(each.place.end_line for each in part), part))
+        yield _Block(0, part[0].place.line, max(each.place.end_line for each in part), part)
         start = stop
-    return tuple(blocks)
 
 
 def _groups(lines: Sequence[int]) -> Iterator[tuple[int, int]]:

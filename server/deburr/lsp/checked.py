@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from deburr.finding import joined
 from deburr.ide.held import Held
+from deburr.steps import paced
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
@@ -35,19 +36,22 @@ class Checked:
     waiting: list[asyncio.Future[None]] = field(default_factory=list)
 
 
-def learn(
+def learning(
     known: Checked, analysis: Analysis, found: Iterable[Finding], ran: Held, later: frozenset[Finding] = frozenset()
-) -> None:
-    """Keep findings by what decides them. ``ran`` and, among all findings, ``later`` are those that a run added in the program."""
+) -> Iterator[None]:
+    """Keep findings by what decides them, found out in steps. ``ran`` and, among all findings, ``later`` are those that a run added in the program."""
     blocks = {rule.name for rule in analysis.ruleset.on_structure}
     parts: tuple[list[Finding], list[Finding]] = [], []
     elsewhere: dict[str, list[Finding]] = {}
-    for finding in found:
-        if finding.place.file != analysis.file:
+    for finding in paced(found):
+        if finding is None:
+            yield
+        elif finding.place.file != analysis.file:
             elsewhere.setdefault(finding.place.file, []).append(finding)
         elif finding not in later:
             parts[finding.rule in blocks].append(finding)
-    known.still, known.blocks, known.ran = Held.of(parts[False]), tuple(parts[True]), ran
+    still = yield from Held.holding(parts[False])
+    known.still, known.blocks, known.ran = still, tuple(parts[True]), ran
     known.elsewhere = {file: tuple(each) for file, each in elsewhere.items()}
 
 

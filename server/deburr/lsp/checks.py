@@ -14,9 +14,9 @@ from deburr.finding import Severity, joined
 from deburr.host import NoFiles
 from deburr.ide.held import Held
 from deburr.ide.moved import found_anew, moved, structural
-from deburr.lsp.checked import Checked, learn, once, order, release
+from deburr.lsp.checked import Checked, learning, once, order, release
 from deburr.needs import Needs
-from deburr.steps import let_go
+from deburr.steps import let_go, paced
 
 if TYPE_CHECKING:
     from deburr.finding import Finding
@@ -191,24 +191,29 @@ class Checks:
         """Learn all of a program; what it says as it stands is told before its values are proven and it is run."""
         still: list[Finding] | None = None
 
-        def early(found: list[Finding]) -> None:
+        def early(found: list[Finding]) -> Iterator[None]:
             nonlocal still
             still = found
             # A program with an error is not run, so nothing of a run is left of it.
             keeps = all(finding.severity is not Severity.ERROR for finding in found)
-            learn(known, analysis, found, known.ran if keeps else Held())
+            yield from learning(known, analysis, found, known.ran if keeps else Held())
             self._say(analysis.file)
 
         found = yield from analysis.gathering(early)
-        known_still = set(found if still is None else still)
-        more = [finding for finding in found if finding not in known_still]
-        learn(
-            known,
-            analysis,
-            found,
-            Held.of(finding for finding in more if finding.place.file == analysis.file),
-            frozenset(more),
-        )
+        known_still: set[Finding] = set()
+        for each in paced(found if still is None else still):
+            if each is None:
+                yield
+            else:
+                known_still.add(each)
+        more: list[Finding] = []
+        for each in paced(found):
+            if each is None:
+                yield
+            elif each not in known_still:
+                more.append(each)
+        ran = yield from Held.holding(finding for finding in more if finding.place.file == analysis.file)
+        yield from learning(known, analysis, found, ran, frozenset(more))
 
     def _run(self, analysis: Analysis) -> Iterator[Finding | None]:
         """What a bounded run meets. What goes wrong in an interpreter costs no other finding."""

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop, TimerHandle
 
-_YOUNG = (20_000, 100, 100)
+_YOUNG = (20_000, 10_000, 100)
 """New objects that are looked through at once, in a millisecond, and how seldom older ones are."""
 _FEW = 10
 """Looks at new objects since the last check, behind which all of them can be looked through in some milliseconds."""

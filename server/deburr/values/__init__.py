@@ -124,9 +124,8 @@ def _at_hand(analysis: Analysis) -> Program | None:
 
 def _program(analysis: Analysis) -> Generator[None, None, Program | None]:
     module = language(analysis.dialect.name)
-    if module is None or not module.worth(analysis.document):
+    if module is None or not (yield from module.worth(analysis.document)):
         return None
-    yield
     routines = yield from module.routines(analysis)
     if routines is None:
         return None

@@ -68,6 +68,7 @@ class Run:
 
     def all(self) -> Iterator[None]:
         """From the first line to the end."""
+        yield from self._state.program.unit.placing()
         state, job, row = self._state, self._job, self._state.row
         while row != END:
             if row == ELSEWHERE:

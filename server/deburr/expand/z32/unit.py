@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from functools import cached_property
 from posixpath import basename, dirname, normpath
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr.arithmetic.z32 import NEAR_INTEGER, constant
+from deburr.steps import done, paced
 from deburr_grammar.dialects.z32.forms import number_of, section_number
 
 if TYPE_CHECKING:
@@ -70,12 +71,23 @@ class Unit:
     def _section_at(self, row: int) -> int:
         return bisect_right(self.sections, row)
 
+    def placing(self) -> Iterator[None]:
+        """Find its block numbers and the loops that jumps back make, in steps."""
+        self.labels = yield from self._labelling()
+        self.jumps_back = yield from self._jumping_back()
+        yield
+
     @cached_property
     def labels(self) -> Mapping[float, Sequence[int]]:
         """The lines by their block numbers."""
+        return done(self._labelling())
+
+    def _labelling(self) -> Generator[None, None, Mapping[float, Sequence[int]]]:
         found: dict[float, list[int]] = {}
-        for row in self.rows_with("nword"):
-            if (value := number_of(self.document.line(row))) is not None:
+        for row in paced(self.rows_with("nword")):
+            if row is None:
+                yield
+            elif (value := number_of(self.document.line(row))) is not None:
                 found.setdefault(value, []).append(row)
         return found
 
@@ -108,8 +120,14 @@ class Unit:
     @cached_property
     def jumps_back(self) -> Mapping[int, int]:
         """The lines to which jumps go back, with the last line that does so. Where a jump is calculated it makes no loop."""
+        return done(self._jumping_back())
+
+    def _jumping_back(self) -> Generator[None, None, Mapping[int, int]]:
         found: dict[int, int] = {}
-        for row in self.rows_with("jump"):
+        for row in paced(self.rows_with("jump")):
+            if row is None:
+                yield
+                continue
             node = self.document.node(row)
             for jump in node.find("jump"):
                 value = constant(node.text, jump.children[1])

@@ -6,7 +6,7 @@ out once a file (`spec/metagcode.md` §4, §5.1).
 """
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -15,7 +15,8 @@ from deburr.analysis import Analysis
 from deburr.includes import Found
 from deburr.rule import Note
 from deburr.rules.metagcode._library import Library, is_plain
-from deburr.rules.metagcode._matching import ENDS, Matching, Meant, Pair, Visit, meant
+from deburr.rules.metagcode._matching import ENDS, Matching, Meant, Pair, Visit, matching, meant
+from deburr.steps import done, paced
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.dialects.metagcode.limits import DEEPEST, NESTED
 from deburr_grammar.dialects.metagcode.outline import SNIPPET, UNKNOWN
@@ -68,6 +69,11 @@ def end_of(opener: Bracket) -> str:
     return f"#END{opener.word[1:]}{opener.label or ''}"
 
 
+def ready(analysis: Analysis) -> Iterator[None]:
+    """Match the blocks of a program, in steps: what rules that stand on them are to be ready with."""
+    yield from gathered(analysis).matching()
+
+
 def gathered(analysis: Analysis) -> "Gathered":
     """The gathered blocks of a program, made once."""
     found: Gathered | None = analysis.memo.get(__name__)
@@ -82,16 +88,23 @@ class Gathered:
     def __init__(self, analysis: Analysis) -> None:
         self._analysis = analysis
         self._effects: dict[str, Effect] = {}
+        self._matched: Matching | None = None
 
     @cached_property
     def library(self) -> Library:
         """The snippet files."""
         return Library(self._analysis)
 
-    @cached_property
-    def own(self) -> tuple[tuple[int, Bracket], ...]:
+    def matching(self) -> Iterator[None]:
+        """Match the blocks, in steps."""
+        yield from self.library.reading()
+        yield from self._working_out()
+        yield from self._match()
+
+    @property
+    def own(self) -> Sequence[tuple[int, Bracket]]:
         """The program's own brackets, the `#FILE` lines among them."""
-        return tuple(self._analysis.document.brackets())
+        return self.library.own.brackets
 
     @cached_property
     def files(self) -> tuple[tuple[int, Bracket], ...]:
@@ -113,7 +126,16 @@ class Gathered:
     @cached_property
     def effects(self) -> Mapping[int, Effect | None]:
         """What each `#FILE` line does; None where its snippet, or one in it, is not to be had."""
-        return {line: self._effect(bracket) for line, bracket in self.files}
+        return done(self._working_out())
+
+    def _working_out(self) -> Generator[None, None, Mapping[int, Effect | None]]:
+        if "effects" not in self.__dict__:
+            found: dict[int, Effect | None] = {}
+            for line, bracket in self.files:
+                found[line] = self._effect(bracket)
+                yield
+            self.effects = found
+        return self.effects
 
     @cached_property
     def sites(self) -> Mapping[int, Span]:
@@ -141,22 +163,30 @@ class Gathered:
         """The lines of directives that do not exist, in order."""
         return [line for line, bracket in self.own if bracket.kind == UNKNOWN]
 
-    @cached_property
+    @property
     def _matching(self) -> Matching:
         """The blocks; a directive that is misspelt does what was meant, if blocks then fit better."""
-        brackets = self._brackets
-        plain = Matching(brackets)
-        if not plain.faults or not self.unknown:
-            return plain
-        repaired = (Matching([(line, meant(bracket, end)) for line, bracket in brackets]) for end in ENDS)
-        return min(plain, *repaired, key=lambda matching: len(matching.faults))
+        return done(self._match())
 
-    @property
-    def _brackets(self) -> Sequence[tuple[int, Bracket]]:
+    def _match(self) -> Generator[None, None, Matching]:
+        if self._matched is None:
+            brackets = yield from self._brackets()
+            best = yield from matching(brackets)
+            for end in ENDS if best.faults and self.unknown else ():
+                repaired = yield from matching([(line, meant(bracket, end)) for line, bracket in brackets])
+                best = min(best, repaired, key=lambda each: len(each.faults))
+            self._matched = best
+        return self._matched
+
+    def _brackets(self) -> Generator[None, None, Sequence[tuple[int, Bracket]]]:
         """All brackets: the program's own, and on each `#FILE` line what its snippet closes and opens beyond itself."""
         found: list[tuple[int, Bracket]] = []
-        for line, bracket in self.own:
-            found.append((line, bracket))
+        for each in paced(self.own):
+            if each is None:
+                yield
+                continue
+            line, bracket = each
+            found.append(each)
             effect = self.effects[line] if bracket.kind == SNIPPET else None
             if effect is not None and effect.deepest <= NESTED:
                 found += [(line, foreign) for foreign in (*effect.closers, *effect.openers)]

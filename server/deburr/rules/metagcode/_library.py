@@ -4,13 +4,14 @@ Each file is asked for and read at most once in an analysis, and none that lies 
 snippets may (`spec/metagcode.md` §5.1).
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
 from deburr.includes import Folder, Found, leaves
 from deburr.rule import Note
+from deburr.steps import done
 from deburr_grammar.dialect import Bracket, Dialect, Role
 from deburr_grammar.dialects.metagcode.forms import counters, names
 from deburr_grammar.dialects.metagcode.limits import DEEPEST, LARGEST
@@ -82,6 +83,14 @@ class Library:
     @cached_property
     def own(self) -> Scan:
         """What is in the program; names are not gathered, since nobody asks for those of a whole program."""
+        return done(self._own())
+
+    def reading(self) -> Iterator[None]:
+        """Read the program, in steps."""
+        if "own" not in self.__dict__:
+            self.own = yield from self._own()
+
+    def _own(self) -> Generator[None, None, Scan]:
         return _scan(self._analysis.document, frozenset())
 
     def longest(self, path: str, left: int = DEEPEST) -> tuple[Link, ...]:
@@ -137,15 +146,17 @@ class Library:
 
 @lru_cache(maxsize=64)
 def _scanned(text: str, dialect: Dialect) -> Scan:
-    return _scan(Document.parse(text, dialect), frozenset(said for _, said in names(text)))
+    return done(_scan(Document.parse(text, dialect), frozenset(said for _, said in names(text))))
 
 
-def _scan(document: Document, said: frozenset[str]) -> Scan:
-    brackets = tuple(document.brackets())
-    counts = {
-        line: tuple(name for name, _ in counters(document.node(line)))
-        for line, bracket in brackets
-        if bracket.kind == "loop" and bracket.role is Role.OPEN
-    }
+def _scan(document: Document, said: frozenset[str]) -> Generator[None, None, Scan]:
+    brackets: list[tuple[int, Bracket]] = []
+    counts: dict[int, tuple[str, ...]] = {}
+    for piece in document.pieces():
+        for index, bracket in piece.outlined.brackets:
+            brackets.append((piece.line + index, bracket))
+            if bracket.kind == "loop" and bracket.role is Role.OPEN:
+                counts[piece.line + index] = tuple(name for name, _ in counters(piece.node(index)))
+        yield
     last = document.line_count - 1
     return Scan(document, last + (document.line(last) != ""), brackets, counts, said)

@@ -6,13 +6,14 @@ brackets behind it the most sensible is taken, so that one mistake is one fault 
 around it stay known (`spec/metagcode.md` §4).
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Generator, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from itertools import islice
 from typing import NamedTuple
 
 from deburr.rules.metagcode._words import keyword_meant
+from deburr.steps import MANY
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.dialects.metagcode.outline import UNKNOWN
 from deburr_grammar.structure import Fault, Placed, StructureFault
@@ -76,8 +77,15 @@ def meant(bracket: Bracket, end: str) -> Bracket:
     return Meant(Role.CLOSE if closes else Role.OPEN, kind, word, bracket.label, bracket.span)
 
 
+def matching(brackets: Sequence[tuple[int, Bracket]]) -> "Generator[None, None, Matching]":
+    """The blocks of brackets in reading order, matched in steps."""
+    found = Matching(brackets)
+    yield from found.match()
+    return found
+
+
 class Matching:
-    """The blocks of brackets in reading order."""
+    """The blocks of brackets in reading order, once they are matched."""
 
     def __init__(self, brackets: Sequence[tuple[int, Bracket]]) -> None:
         self._brackets = brackets
@@ -85,7 +93,6 @@ class Matching:
         self._faults: list[StructureFault] = []
         self.pairs: list[Pair] = []
         """The blocks whose ends belong together, in the order of their ends."""
-        self._match()
 
     @property
     def faults(self) -> list[StructureFault]:
@@ -103,9 +110,12 @@ class Matching:
             elif bracket.role is Role.CLOSE:
                 _close(around, self._remedies.get(at))
 
-    def _match(self) -> None:
+    def match(self) -> Iterator[None]:
+        """Match them, in steps."""
         around: list[Placed] = []
         for at, (line, bracket) in enumerate(self._brackets):
+            if at and not at % MANY:
+                yield
             if bracket.role is Role.OPEN:
                 around.append(Placed(line, bracket))
             elif bracket.role is Role.CLOSE:

@@ -35,25 +35,31 @@ Good:
     #ENDIF1
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from deburr.analysis import Analysis
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered, said
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered, ready, said
+from deburr.rules.metagcode._matching import Pair
 from deburr_grammar.structure import Fault
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the line that brings an end in; in a snippet, also the ends that stand alone."""
     blocks = gathered(analysis)
-    for opener, closer, _ in blocks.pairs:
+    yield from parted(blocks.pairs, partial(_across, blocks))
+    yield from _alone(blocks)
+
+
+def _across(blocks: Gathered, pairs: Sequence[Pair]) -> Iterator[Report]:
+    for opener, closer, _ in pairs:
         foreign = [end for end in (closer, opener) if isinstance(end.bracket, Foreign)]
         if foreign:
             line, span = blocks.place(foreign[0])
             message = f"the block `{said(opener.bracket)}` is opened in one file and closed in another; neither can be read by itself"
             yield Report(span, message, line, (blocks.note(opener), blocks.note(closer)))
-    yield from _alone(blocks)
 
 
 def _alone(blocks: Gathered) -> Iterator[Report]:

@@ -42,11 +42,11 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.fixers import advised
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, end_of, gathered, said
+from deburr.rules.metagcode._gathered import Foreign, end_of, gathered, ready, said
 from deburr_grammar.structure import Fault
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the end, or the line that brings it in."""
     blocks = gathered(analysis)

@@ -51,11 +51,11 @@ from deburr.blockfix import ended
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, end_of, gathered, said
+from deburr.rules.metagcode._gathered import Foreign, end_of, gathered, ready, said
 from deburr_grammar.structure import Fault
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the opener, or the line that brings it in. What a snippet leaves open its caller may close."""
     blocks = gathered(analysis)

@@ -48,11 +48,11 @@ from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.fixers import line_deleted
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, gathered, said
+from deburr.rules.metagcode._gathered import Foreign, gathered, ready, said
 from deburr_grammar.structure import Fault
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the end, or the line that brings it in. What a snippet closes its caller may have opened."""
     blocks = gathered(analysis)

@@ -30,10 +30,10 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.fixers import corrected, safe
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import gathered
+from deburr.rules.metagcode._gathered import gathered, ready
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the name."""
     blocks = gathered(analysis)

@@ -38,7 +38,7 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.fixers import advised
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import gathered
+from deburr.rules.metagcode._gathered import gathered, ready
 from deburr.rules.metagcode._library import Library
 from deburr.rules.metagcode._words import HINTED
 from deburr.suggest import suggestion
@@ -47,7 +47,7 @@ _FOLDERS = 20
 """So many folders are looked into for a file that is not where it should be."""
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the name."""
     blocks = gathered(analysis)

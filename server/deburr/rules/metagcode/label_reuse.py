@@ -39,17 +39,22 @@ from deburr.blockfix import highest, renumbered
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, gathered, said
+from deburr.rules.metagcode._gathered import Foreign, gathered, ready, said
+from deburr.steps import paced
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.metagcode.limits import NESTED
 from deburr_grammar.structure import Placed
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the inner opener."""
     blocks = gathered(analysis)
-    for placed, around in blocks.visits():
+    for visit in paced(blocks.visits()):
+        if visit is None:
+            yield None
+            continue
+        placed, around = visit
         bracket = placed.bracket
         if bracket.role is not Role.OPEN or bracket.label is None or isinstance(bracket, Foreign):
             continue

@@ -58,15 +58,16 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered
+from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered, ready
+from deburr.steps import paced
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.metagcode.limits import LARGEST, LINES, NESTED
 from deburr_grammar.dialects.metagcode.outline import SNIPPET
 from deburr_grammar.text import Span
 
 
-@rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the line that goes beyond a limit."""
     blocks = gathered(analysis)
     yield from _nested(blocks)
@@ -74,8 +75,12 @@ def check(analysis: Analysis) -> Iterator[Report]:
     yield from _long(analysis, blocks)
 
 
-def _nested(blocks: Gathered) -> Iterator[Report]:
-    for placed, around in blocks.visits():
+def _nested(blocks: Gathered) -> Iterator[Report | None]:
+    for visit in paced(blocks.visits()):
+        if visit is None:
+            yield None
+            continue
+        placed, around = visit
         bracket, depth = placed.bracket, len(around)
         effect = blocks.effects[placed.line] if bracket.kind == SNIPPET else None
         opens = bracket.role is Role.OPEN and not isinstance(bracket, Foreign)

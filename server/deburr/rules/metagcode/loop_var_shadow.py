@@ -43,7 +43,7 @@ from collections.abc import Iterator, Sequence
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered
+from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered, ready
 from deburr.steps import paced
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.metagcode.forms import counters
@@ -53,7 +53,7 @@ from deburr_grammar.structure import Placed
 from deburr_grammar.text import Span
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the variable of each such loop, or the line that brings the loop in."""
     blocks = gathered(analysis)

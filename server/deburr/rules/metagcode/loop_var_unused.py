@@ -38,7 +38,7 @@ from itertools import islice
 from deburr.analysis import Analysis
 from deburr.fixers import did_you_mean
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered
+from deburr.rules.metagcode._gathered import Foreign, Gathered, gathered, ready
 from deburr.rules.metagcode._variables import names_of
 from deburr.rules.metagcode._words import nearest
 from deburr.steps import paced
@@ -51,7 +51,7 @@ _COMPARED = 100
 """So many names of a body are compared with one that it lacks."""
 
 
-@rule(Severity.INFO, Whole())
+@rule(Severity.INFO, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the variable in the header. An empty body says nothing, and what a missing snippet says is not known."""
     blocks, document = gathered(analysis), analysis.document

@@ -34,12 +34,12 @@ Good:
     #ENDIF1
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from decimal import Decimal
 
 from deburr.analysis import Analysis
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import Foreign, gathered
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.metagcode._gathered import Foreign, gathered, ready
 from deburr.rules.metagcode._matching import Pair
 from deburr_grammar.dialects.metagcode.forms import condition, is_numeric, name, number
 from deburr_grammar.document import Document
@@ -48,20 +48,27 @@ _Test = tuple[str, bool, str, str | Decimal]
 """The name that is tested, whether as a number, the operator, the value."""
 
 
-@rule(Severity.INFO, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.INFO, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the second opener."""
     blocks, document = gathered(analysis), analysis.document
-    ifs = {
-        pair.opener.line: pair
-        for pair in blocks.pairs
-        if pair.opener.bracket.kind == "if" and Foreign not in (type(pair.opener.bracket), type(pair.closer.bracket))
-    }
-    for first in ifs.values():
-        second = ifs.get(_next_line(document, first.closer.line))
-        if second is not None and _alike(document, first, second) and not _exclusive(document, first, second):
-            message = "the block before has the same lines; if both conditions hold, they are generated twice"
-            yield Report(second.opener.bracket.span, message, second.opener.line, (blocks.note(first.opener),))
+    ifs: dict[int, Pair] = {}
+
+    def take(pairs: Sequence[Pair]) -> None:
+        for pair in pairs:
+            opener, closer = pair.opener.bracket, pair.closer.bracket
+            if opener.kind == "if" and Foreign not in (type(opener), type(closer)):
+                ifs[pair.opener.line] = pair
+
+    def of(pairs: Sequence[Pair]) -> Iterator[Report]:
+        for first in pairs:
+            second = ifs.get(_next_line(document, first.closer.line))
+            if second is not None and _alike(document, first, second) and not _exclusive(document, first, second):
+                message = "the block before has the same lines; if both conditions hold, they are generated twice"
+                yield Report(second.opener.bracket.span, message, second.opener.line, (blocks.note(first.opener),))
+
+    yield from parted(blocks.pairs, take)
+    yield from parted(ifs.values(), of)
 
 
 def _next_line(document: Document, line: int) -> int:

@@ -40,11 +40,11 @@ from collections.abc import Iterator, Sequence
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import gathered
+from deburr.rules.metagcode._gathered import gathered, ready
 from deburr.rules.metagcode._library import Library, Link
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the line with which the chain begins."""
     blocks = gathered(analysis)

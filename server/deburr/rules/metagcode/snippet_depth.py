@@ -66,11 +66,11 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.metagcode._gathered import gathered
+from deburr.rules.metagcode._gathered import gathered, ready
 from deburr_grammar.dialects.metagcode.limits import DEEPEST
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the line with which the chain begins. A circle has no depth and is another rule's."""
     blocks = gathered(analysis)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Generator, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from deburr.analysis import Analysis
-from deburr.rules.z32._fields import goes_on
-from deburr.rules.z32._program import Jump, jumps, labels, numbers_of, within
+from deburr.rules.z32._program import Jump, jumps, labels, numbers_of, ready_jumps, within
+from deburr.steps import done, kept, paced
 from deburr_grammar.line import LineNode
 
 _STEPS = 1000
@@ -40,8 +40,14 @@ class Flow:
         return False
 
 
-def flow(analysis: Analysis, first: int, last: int, *, returns: bool) -> Flow | None:
-    """The flow in the lines from ``first`` to before ``last``; None where a jump is calculated or cannot be read.
+def ready(analysis: Analysis) -> Iterator[None]:
+    """Find what the flow stands on, in steps."""
+    yield from ready_jumps(analysis)
+    yield from _reading(analysis)
+
+
+def flowing(analysis: Analysis, first: int, last: int, *, returns: bool) -> Generator[None, None, Flow | None]:
+    """The flow in the lines from ``first`` to before ``last``, found in steps; None where a jump is calculated or cannot be read.
 
     ``returns``: the last block of a range always returns; else it is also taken to go on, as it
     does where no range is under way.
@@ -52,10 +58,14 @@ def flow(analysis: Analysis, first: int, last: int, *, returns: bool) -> Flow | 
     if unknown or within(_unread(analysis), first, last):
         return None
     ways: dict[int, set[int]] = {}
-    for jump in found:
+    for jump in paced(found):
+        if jump is None:
+            yield
+            continue
         ways.setdefault(jump.line, set()).update(_targets(analysis, jump))
-        if jump.end_span is not None or not is_certain(analysis.document.node(jump.line)):
+        if jump.end_span is not None or not jump.certain:
             ways[jump.line].add(jump.line + 1)
+    yield
     stops = [at for at in within(numbers_of(analysis, "M_END", "G26"), first, last) if ends(analysis.document.node(at))]
     for end, behind in _ends(analysis, found).items():
         on = ways.setdefault(end, {end + 1})
@@ -69,11 +79,29 @@ def flow(analysis: Analysis, first: int, last: int, *, returns: bool) -> Flow | 
 
 def open_ranges(analysis: Analysis) -> Sequence[Jump]:
     """The jumps with a return that never comes: no way leads from their first block to their last."""
-    if "z32 open ranges" not in analysis.memo:
-        ranges = [jump for jump in jumps(analysis) if jump.target is not None and jump.end is not None]
-        ways = flow(analysis, 0, analysis.document.line_count, returns=False) if ranges else None
-        analysis.memo["z32 open ranges"] = [jump for jump in ranges if ways and _is_open(analysis, ways, jump)]
-    found: Sequence[Jump] = analysis.memo["z32 open ranges"]
+    return done(_opening(analysis))
+
+
+def ready_ranges(analysis: Analysis) -> Iterator[None]:
+    """Find these jumps, in steps."""
+    yield from ready(analysis)
+    yield from _opening(analysis)
+
+
+def _opening(analysis: Analysis) -> Generator[None, None, Sequence[Jump]]:
+    return kept(analysis.memo, "z32 open ranges", lambda: _all_open(analysis))
+
+
+def _all_open(analysis: Analysis) -> Generator[None, None, Sequence[Jump]]:
+    ranges = [jump for jump in jumps(analysis) if jump.target is not None and jump.end is not None]
+    if not ranges:
+        return []
+    ways = yield from flowing(analysis, 0, analysis.document.line_count, returns=False)
+    found: list[Jump] = []
+    for jump in ranges if ways is not None else ():
+        if ways is not None and _is_open(analysis, ways, jump):
+            found.append(jump)
+        yield
     return found
 
 
@@ -88,17 +116,22 @@ def ends(node: LineNode) -> bool:
     return not node.kinds.isdisjoint(("M_END", "G26")) and node.kinds.isdisjoint(("DELETE", "advanced"))
 
 
-def is_certain(node: LineNode) -> bool:
-    """Whether a line with a jump jumps on every run."""
-    return "DELETE" not in node.kinds and not any(goes_on(advanced) for advanced in node.find("advanced"))
-
-
 def _unread(analysis: Analysis) -> Sequence[int]:
     """The lines with a fault in which there may be a jump."""
-    if "z32 unread" not in analysis.memo:
-        faulty = dict.fromkeys(at for at, _ in analysis.document.problems())
-        analysis.memo["z32 unread"] = [at for at in faulty if "!" in analysis.document.line(at)]
-    found: Sequence[int] = analysis.memo["z32 unread"]
+    return done(_reading(analysis))
+
+
+def _reading(analysis: Analysis) -> Generator[None, None, Sequence[int]]:
+    return kept(analysis.memo, "z32 unread", lambda: _all_unread(analysis))
+
+
+def _all_unread(analysis: Analysis) -> Generator[None, None, Sequence[int]]:
+    found: list[int] = []
+    for piece in analysis.document.pieces():
+        for index, _, _ in piece.where(lambda reading, shape: shape.facts(reading).problems):
+            if piece.node(index).problems and "!" in piece.chunk.line(index):
+                found.append(piece.line + index)
+        yield
     return found
 
 

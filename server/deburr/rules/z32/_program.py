@@ -4,13 +4,13 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from posixpath import basename, dirname, normpath
 from typing import NamedTuple
-from weakref import WeakKeyDictionary
 
 from deburr.analysis import Analysis
 from deburr.arithmetic.z32 import integer
 from deburr.expand.z32.unit import ACTIVE
 from deburr.includes import z32 as stores
 from deburr.rule import Line
+from deburr.rules.z32._fields import goes_on
 from deburr.rules.z32._values import known
 from deburr.steps import done, kept, paced
 from deburr_grammar.dialects.z32.forms import NUMBERED, number, number_of
@@ -22,6 +22,9 @@ from deburr_grammar.tree import Node
 _KEPT = frozenset(
     ("jump", "call", "file_call", "section", "config", "other", "alias_name", "axis_alias", "nword", "M_END", "G26")
 )
+
+
+_BY_NUMBER = "z32 blocks by number"
 
 
 class Label(NamedTuple):
@@ -40,21 +43,27 @@ class Jump(NamedTuple):
     target_span: Span
     end: float | None
     end_span: Span | None
+    certain: bool
+    """Whether its line jumps on every run."""
 
 
 def lines(analysis: Analysis, *kinds: str) -> Iterator[tuple[int, LineNode]]:
     """The lines that hold one of some kinds of parts, in order. Only kinds that are kept can be asked for."""
+    return ((piece.line + index, piece.node(index)) for piece, index in _places(analysis, kinds))
+
+
+def _places(analysis: Analysis, kinds: Sequence[str]) -> Iterator[tuple[Piece, int]]:
     for piece in analysis.document.pieces():
         held = _held(analysis, piece)
         for index in sorted(set().union(*(held.get(kind, ()) for kind in kinds))):
-            yield piece.line + index, piece.node(index)
+            yield piece, index
 
 
 def numbers_of(analysis: Analysis, *kinds: str) -> Sequence[int]:
     """The numbers of the lines that hold one of some kinds of parts; kept with the analysis."""
     key = ("z32 numbers", kinds)
     if key not in analysis.memo:
-        analysis.memo[key] = [at for at, _ in lines(analysis, *kinds)]
+        analysis.memo[key] = [piece.line + index for piece, index in _places(analysis, kinds)]
     found: Sequence[int] = analysis.memo[key]
     return found
 
@@ -89,17 +98,25 @@ def _held(analysis: Analysis, piece: Piece) -> Mapping[str, list[int]]:
     return found
 
 
-_all: WeakKeyDictionary[Analysis, dict[float, list[Label]]] = WeakKeyDictionary()
-
-
 def labels(analysis: Analysis, value: float) -> list[Label]:
     """The blocks of that number."""
-    found = _all.get(analysis)
-    if found is None:
-        found = _all[analysis] = {}
-        for value_of, label in all_labels(analysis):
-            found.setdefault(value_of, []).append(label)
-    return found.get(value, [])
+    # Asked for each jump: what is known already is not to be found in steps.
+    found: Mapping[float, list[Label]] | None = analysis.memo.get(_BY_NUMBER)
+    return (done(_labelling(analysis)) if found is None else found).get(value, [])
+
+
+def _labelling(analysis: Analysis) -> Generator[None, None, Mapping[float, list[Label]]]:
+    return kept(analysis.memo, _BY_NUMBER, lambda: _by_number(analysis))
+
+
+def _by_number(analysis: Analysis) -> Generator[None, None, Mapping[float, list[Label]]]:
+    found: dict[float, list[Label]] = {}
+    for each in paced(all_labels(analysis)):
+        if each is None:
+            yield
+        else:
+            found.setdefault(each[0], []).append(each[1])
+    return found
 
 
 def all_labels(analysis: Analysis) -> Iterator[tuple[float, Label]]:
@@ -133,8 +150,9 @@ def jumps(analysis: Analysis) -> tuple[Jump, ...]:
 
 
 def ready_jumps(analysis: Analysis) -> Iterator[None]:
-    """Find the GON instructions, in steps."""
+    """Find the GON instructions and what they lead to, in steps."""
     yield from _jumping(analysis)
+    yield from _labelling(analysis)
 
 
 def _jumping(analysis: Analysis) -> Generator[None, None, tuple[Jump, ...]]:
@@ -148,16 +166,22 @@ def _all_jumps(analysis: Analysis) -> Generator[None, None, tuple[Jump, ...]]:
             yield
             continue
         line = Line(placed[1], analysis.settings)
-        found += [_jump(placed[0], line, jump) for jump in line.node.find("jump")]
+        certain = is_certain(line.node)
+        found += [_jump(placed[0], line, jump, certain) for jump in line.node.find("jump")]
     return tuple(found)
 
 
-def _jump(at: int, line: Line, jump: Node) -> Jump:
+def is_certain(node: LineNode) -> bool:
+    """Whether a line with a jump jumps on every run."""
+    return "DELETE" not in node.kinds and not any(goes_on(advanced) for advanced in node.find("advanced"))
+
+
+def _jump(at: int, line: Line, jump: Node, certain: bool) -> Jump:
     end = jump.node("range_end")
     target = jump.children[1]
     span = Span(end.start + 1, end.end) if end else None
     ended = known(line, end.children[1]) if end else None
-    return Jump(at, jump, known(line, target), Span(target.start, target.end), ended, span)
+    return Jump(at, jump, known(line, target), Span(target.start, target.end), ended, span, certain)
 
 
 def entries(analysis: Analysis) -> set[float] | None:

@@ -35,10 +35,10 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule, whole
-from deburr.rules.z32._program import is_main, lines
+from deburr.rules.z32._program import is_main, lines, ready_jumps
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready_jumps))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the first use, where no G25 can have come before: neither by a jump nor in a program that is called."""
     used = next(lines(analysis, "alias_name"), None)

@@ -46,14 +46,14 @@ from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Line, Note, Report, Severity, Whole, rule
 from deburr.rules.z32._called import Program, all_sections
-from deburr.rules.z32._flow import flow
+from deburr.rules.z32._flow import flowing, ready
 from deburr.rules.z32._program import called, last_block, lines, numbers_of, within
 from deburr_grammar.dialects.z32.forms import section_number
 from deburr_grammar.text import Span
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the last block before each such section, unless the file is a subprogram itself."""
     sections = all_sections(analysis)
     returns = numbers_of(analysis, "G26")
@@ -62,8 +62,11 @@ def check(analysis: Analysis) -> Iterator[Report]:
     targets = _called(analysis)
     entered = [each for each in sections if _number(each) in targets and within(returns, each.first, each.last)]
     last = last_block(analysis, 0, sections[0].first)
-    ways = flow(analysis, 0, analysis.document.line_count, returns=True) if entered and last is not None else None
+    if not entered or last is None:
+        return
+    ways = yield from flowing(analysis, 0, analysis.document.line_count, returns=True)
     for section in entered if ways is not None else ():
+        yield None
         if ways is not None and ways.reaches(0, section.first):
             yield _report(analysis, section, targets[_number(section)])
 

@@ -35,20 +35,20 @@ Good:
     G26
 """
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 
 from deburr.analysis import Analysis
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.z32._called import Program, calls, main_part, programs_of
-from deburr.rules.z32._flow import flow
+from deburr.rules.z32._flow import flowing, ready
 from deburr.rules.z32._program import last_block
 from deburr_grammar.text import Span
 
 
-@rule(Severity.WARNING, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.WARNING, Whole(ready))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the last block of a section of this file, or the call of another one, once for each program."""
     programs, seen = programs_of(analysis), set()
     for at, node, call in calls(main_part(analysis)):
@@ -56,7 +56,7 @@ def check(analysis: Analysis) -> Iterator[Report]:
         if program is None or (program.file, program.first) in seen:
             continue
         seen.add((program.file, program.first))
-        if _runs_off(program):
+        if (yield from _runs_off(program)):
             part, (line, span) = call.children[1], _end(program)
             called, said = Span(part.start, part.end), node.text[call.start : call.end]
             if program.analysis is analysis:
@@ -67,8 +67,9 @@ def check(analysis: Analysis) -> Iterator[Report]:
                 yield Report(called, message, at, (Note(line, span, "the last block", program.file),))
 
 
-def _runs_off(program: Program) -> bool:
-    ways = flow(program.analysis, program.first, program.last, returns=True)
+def _runs_off(program: Program) -> Generator[None, None, bool]:
+    ways = yield from flowing(program.analysis, program.first, program.last, returns=True)
+    yield
     return ways is not None and ways.reaches(program.first, program.last) is True
 
 

@@ -24,10 +24,10 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.fixers import line_deleted
 from deburr.rule import Report, Severity, Whole, rule, whole
-from deburr.rules.z32._program import is_main, lines, sections
+from deburr.rules.z32._program import is_main, lines, ready_jumps, sections
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready_jumps))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report each G26 before the first section, if this is certainly the main program."""
     starts = sections(analysis)

@@ -20,20 +20,20 @@ Good:
     N151 G0 X3
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 
 from deburr.analysis import Analysis
 from deburr.arithmetic.z32 import shown
-from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.z32._program import Label, jumps, labels, section_of, sections
+from deburr.rule import Note, Report, Severity, Whole, parted, rule
+from deburr.rules.z32._program import Jump, Label, jumps, labels, ready_jumps, section_of, sections
 
 _SHOWN = 8
 """Blocks that are shown with a jump; the message counts them all."""
 
 
-@rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready_jumps))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the number that is jumped to."""
     found, starts = jumps(analysis), sections(analysis)
 
@@ -42,9 +42,12 @@ def check(analysis: Analysis) -> Iterator[Report]:
         places = labels(analysis, target)
         return [place for place in places if section_of(starts, place.line) == section] or places
 
-    for jump in found:
-        meant = meant_by(jump.target, section_of(starts, jump.line)) if jump.target is not None else []
-        if jump.target is not None and len(meant) > 1:
-            notes = tuple(Note(place.line, place.span, "this block has the number") for place in meant[:_SHOWN])
-            message = f"{len(meant)} blocks have the number N{shown(jump.target)}; the control may jump to either"
-            yield Report(jump.target_span, message, jump.line, notes)
+    def of(some: Sequence[Jump]) -> Iterator[Report]:
+        for jump in some:
+            meant = meant_by(jump.target, section_of(starts, jump.line)) if jump.target is not None else []
+            if jump.target is not None and len(meant) > 1:
+                notes = tuple(Note(place.line, place.span, "this block has the number") for place in meant[:_SHOWN])
+                message = f"{len(meant)} blocks have the number N{shown(jump.target)}; the control may jump to either"
+                yield Report(jump.target_span, message, jump.line, notes)
+
+    yield from parted(found, of)

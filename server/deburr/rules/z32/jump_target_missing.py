@@ -27,10 +27,10 @@ from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.z32._nearest import meant
-from deburr.rules.z32._program import jumps, labels
+from deburr.rules.z32._program import jumps, labels, ready_jumps
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready_jumps))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the number that is jumped to."""
     for jump in jumps(analysis):

@@ -24,10 +24,10 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.fixers import deleted
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.z32._program import all_labels, entries, jumps
+from deburr.rules.z32._program import all_labels, entries, jumps, ready_jumps
 
 
-@rule(Severity.INFO, Whole(), default=False)
+@rule(Severity.INFO, Whole(ready_jumps), default=False)
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the numbers; where a jump is calculated any could be used."""
     reached, found = entries(analysis), jumps(analysis)

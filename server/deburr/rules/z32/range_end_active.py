@@ -28,11 +28,11 @@ from deburr.arithmetic.z32 import shown
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.z32._flow import open_ranges
+from deburr.rules.z32._flow import open_ranges, ready_ranges
 from deburr.rules.z32._program import is_active, jumps, labels
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready_ranges))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the number of the block, once for all jumps."""
     seen = set()

@@ -24,10 +24,10 @@ from deburr.analysis import Analysis
 from deburr.arithmetic.z32 import shown
 from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.z32._nearest import meant
-from deburr.rules.z32._program import jumps, labels
+from deburr.rules.z32._program import jumps, labels, ready_jumps
 
 
-@rule(Severity.ERROR, Whole())
+@rule(Severity.ERROR, Whole(ready_jumps))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the number of the last block."""
     for jump in jumps(analysis):

@@ -40,11 +40,11 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.arithmetic.z32 import shown
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.z32._flow import open_ranges
+from deburr.rules.z32._flow import open_ranges, ready_ranges
 from deburr.rules.z32._program import labels
 
 
-@rule(Severity.WARNING, Whole())
+@rule(Severity.WARNING, Whole(ready_ranges))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the number of the last block, where no way leads there."""
     for jump in open_ranges(analysis):

@@ -28,14 +28,14 @@ from collections.abc import Iterator, Set
 from deburr.analysis import Analysis
 from deburr.expand.z32.unit import ACTIVE
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.z32._program import entries, jumps, lines
+from deburr.rules.z32._program import entries, jumps, lines, ready_jumps
 from deburr_grammar.dialects.z32.forms import number_of
 from deburr_grammar.document import Document
 from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
 
 
-@rule(Severity.INFO, Whole())
+@rule(Severity.INFO, Whole(ready_jumps))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the first block that is never reached."""
     targets, looked = entries(analysis), -1

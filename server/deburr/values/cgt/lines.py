@@ -74,8 +74,9 @@ class _Piece(NamedTuple):
 _NONE = Names()
 
 
-def concerns(document: Document) -> bool:
+def concerns(document: Document) -> Generator[None, None, bool]:
     """Whether any line has something that has a value."""
+    yield from document.gathering(_KEY, _marks)
     return _VALUES in document.gathered(_KEY, _marks)
 
 

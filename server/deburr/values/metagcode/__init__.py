@@ -12,11 +12,11 @@ if TYPE_CHECKING:
     from deburr_grammar.document import Document
 
 
-def worth(document: Document) -> bool:
+def worth(document: Document) -> Generator[None, None, bool]:
     """Whether any line asks for a value."""
     from deburr.values.metagcode.lines import concerns
 
-    return concerns(document)
+    return (yield from concerns(document))
 
 
 def routines(analysis: Analysis) -> Generator[None, None, Mapping[str, Routine] | None]:

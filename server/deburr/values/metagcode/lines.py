@@ -71,8 +71,9 @@ class _Lines(NamedTuple):
     snippets: list[int]
 
 
-def concerns(document: Document) -> bool:
+def concerns(document: Document) -> Generator[None, None, bool]:
     """Whether there is a condition or a loop."""
+    yield from document.gathering(_KEY, _marks)
     return _ASKS in document.gathered(_KEY, _marks)
 
 

@@ -12,11 +12,11 @@ if TYPE_CHECKING:
     from deburr_grammar.document import Document
 
 
-def worth(document: Document) -> bool:
+def worth(document: Document) -> Generator[None, None, bool]:
     """Whether anything in the program has a value that a line does not tell alone."""
     from deburr.values.rs274.lines import concerns
 
-    return concerns(document)
+    return (yield from concerns(document))
 
 
 def routines(analysis: Analysis) -> Generator[None, None, Mapping[str, Routine] | None]:

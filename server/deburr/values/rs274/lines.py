@@ -89,8 +89,9 @@ def taken(document: Document, remapped: Sequence[str] = ()) -> Generator[None, N
     return found
 
 
-def concerns(document: Document) -> bool:
+def concerns(document: Document) -> Generator[None, None, bool]:
     """Whether any line reads or sets a parameter."""
+    yield from document.gathering((_KEY, None), partial(_marks, None))
     return _VALUES in document.gathered((_KEY, None), partial(_marks, None))
 
 

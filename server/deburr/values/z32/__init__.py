@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 _ELEMENT = re.compile(r"(PA[LR])\[[ \t]*0*([0-9]+)[ \t]*\]")
 
 
-def worth(document: Document) -> bool:
+def worth(document: Document) -> Generator[None, None, bool]:
     """Whether anything in the program has a value that a line does not tell alone."""
     from deburr.values.z32.lines import concerns
 
-    return concerns(document)
+    return (yield from concerns(document))
 
 
 def routines(analysis: Analysis) -> Generator[None, None, Mapping[str, Routine] | None]:

@@ -43,8 +43,9 @@ class Marks(NamedTuple):
     reads: frozenset[str]
 
 
-def concerns(document: Document) -> bool:
+def concerns(document: Document) -> Generator[None, None, bool]:
     """Whether any line calculates, jumps or calls."""
+    yield from document.gathering(_KEY, _marks)
     return _VALUES in document.gathered(_KEY, _marks)
 
 
