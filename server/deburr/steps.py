@@ -11,6 +11,8 @@ T = TypeVar("T")
 
 MANY = 256
 """So many small things are done in one step."""
+FEW = 32
+"""So many lines are read or compiled in one step."""
 _OURS = 2
 """References to an object that nothing else refers to: ours, and that of whoever counts."""
 
@@ -47,9 +49,9 @@ def let_go(found: list[Any]) -> Iterator[None]:
         yield
 
 
-def paced(items: Iterable[T]) -> Iterator[T | None]:
-    """Items, with a None behind some hundred of them: there the work can be left."""
+def paced(items: Iterable[T], many: int = MANY) -> Iterator[T | None]:
+    """Items, with a None behind so many of them: there the work can be left."""
     for number, item in enumerate(items, 1):
         yield item
-        if not number % MANY:
+        if not number % many:
             yield None

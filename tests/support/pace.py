@@ -25,7 +25,7 @@ _EVERY = 0.002
 """Seconds of the processor between two looks at what is being done."""
 _LONG = 0.01
 """Seconds of a step of which it is told where it was."""
-_SHOWN = 5
+_SHOWN = 6
 """Calls that are shown of a step, the innermost ones."""
 _PROGRAMS = {"cam": cam, "macro": macro, "mixed": mixed}
 _URI = "untitled:large"
@@ -45,7 +45,8 @@ class Pace:
         self.steps: list[Step] = []
         self.total = 0.0
         self._seen: Counter[tuple[str, ...]] = Counter()
-        self._garbage = 0.0
+        self._begun = self._garbage = 0.0
+        self._inside = False
         """Seconds of a step in which garbage was looked for."""
         signal.signal(signal.SIGPROF, self._look)
         gc.callbacks.append(self._collected)
@@ -54,7 +55,7 @@ class Pace:
         """The same work."""
         while True:
             self._seen.clear()
-            self._garbage = 0.0
+            self._garbage, self._inside = 0.0, True
             signal.setitimer(signal.ITIMER_PROF, _EVERY, _EVERY)
             begun = process_time()
             try:
@@ -64,6 +65,7 @@ class Pace:
             finally:
                 taken = process_time() - begun
                 signal.setitimer(signal.ITIMER_PROF, 0)
+                self._inside = False
                 self.total += taken
                 if taken >= _LONG:
                     garbage = [f"garbage:{self._garbage * 1000:.0f}"] if 2 * self._garbage > taken else []
@@ -71,7 +73,13 @@ class Pace:
             yield found
 
     def _collected(self, phase: str, info: dict[str, int]) -> None:
-        self._garbage += process_time() if phase == "stop" else -process_time()
+        if phase == "start":
+            self._begun = process_time()
+            return
+        taken = process_time() - self._begun
+        self._garbage += taken
+        if not self._inside and taken >= _LONG:
+            self.steps.append(Step(taken, ["garbage between two steps"]))
 
     def _look(self, number: int, frame: FrameType | None) -> None:
         stack = []

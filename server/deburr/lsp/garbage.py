@@ -15,7 +15,9 @@ if TYPE_CHECKING:
     from asyncio import AbstractEventLoop, TimerHandle
 
 _YOUNG = (20_000, 10_000, 100)
-"""New objects that are looked through at once, in a millisecond, and how seldom older ones are."""
+"""New objects that are looked through at once, in a millisecond or some, and how seldom older ones are: a long check makes millions, and keeps them."""
+_SLICES = 8
+"""Slices of work, behind which what is new is looked through whatever was counted."""
 _FEW = 10
 """Looks at new objects since the last check, behind which all of them can be looked through in some milliseconds."""
 _QUIET = 10.0
@@ -46,11 +48,18 @@ class Garbage:
         self._timer: TimerHandle | None = None
         self._last = monotonic()
         self._taken = 0.0
+        self._slices = 0
         begin()
 
     def heard(self) -> None:
         """A message has come."""
         self._last = monotonic()
+
+    def worked(self) -> None:
+        """A slice of work was done. Where as much is let go as is made, new objects are not counted, and there would be a million to look through at once."""
+        self._slices += 1
+        if not self._slices % _SLICES:
+            gc.collect(0)
 
     def checked(self) -> None:
         """A program was gone through: what is known now stays known for a while."""

@@ -24,6 +24,8 @@ class Idle:
         self._waiting: dict[object, Work] = {}
         self._urgent: object = None
         self._planned = False
+        self.worked: Callable[[], None] = lambda: None
+        """Called behind each slice."""
 
     def start(self, key: object, work: Work, *, urgent: bool = False) -> None:
         """Do this as soon as there is nothing else to do, instead of what stood under the key."""
@@ -68,6 +70,7 @@ class Idle:
         except Exception as error:
             self._done(key, work)
             self._failed(error)
+        self.worked()
         self._plan()
 
     def _done(self, key: object, work: Work) -> None:

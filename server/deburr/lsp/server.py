@@ -77,6 +77,7 @@ class Server(LanguageServer):
         self.protocol.set_writer(stream)
         self.garbage = Garbage(loop)
         self.idle = Idle(loop, self.failed)
+        self.idle.worked = self.garbage.worked
         self.session = Session(client, self.complain)
         self.publisher = Publisher(self.protocol, self.session)
         self.checks = Checks(self.session, self.idle, self._said, self.failed)

@@ -6,7 +6,7 @@ import re
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.steps import paced
+from deburr.steps import FEW, paced
 from deburr.templates.items import (
     LOST,
     Body,
@@ -110,7 +110,7 @@ class Template:
         """Find what its sections hold, in steps."""
         faulty: list[int] = []
         builder: Builder | None = None
-        for each in paced(self.lines):
+        for each in paced(self.lines, FEW):
             if each is None:
                 yield
                 continue

@@ -166,7 +166,7 @@ class Judge:
         rules = [rule for rule in self._ruleset.on_whole if rule.short in _ON_MOVES]
         document = Document.parse("\n".join(self._first.texts), self._ruleset.dialect)
         analysis = Analysis(document, self._ruleset, "", self._job.host)
-        reports = ((rule, report) for rule in rules for report in rule.check(analysis))
+        reports = ((rule, report) for rule in rules for report in rule.on_program(analysis) if report is not None)
         for rule, report in sorted(reports, key=lambda found: found[1].line):
             self._raise(self._first, report.line, document.node(report.line), rule, report)
 

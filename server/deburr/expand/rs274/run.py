@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from typing import TYPE_CHECKING
 
 from deburr.expand.job import EXACT
@@ -106,7 +106,8 @@ class Run:
     def _prepare(self, unit: Unit) -> Iterator[None]:
         """What the text of a program decides of how it is run."""
         compiler = self._compiler
-        compiler.watch = self._is_watched(unit)
+        yield from unit.calling()
+        compiler.watch = yield from self._is_watched(unit)
         if worth_running(unit.document) or self.reached.active:
             self.out.judged()
             if self.job.inputs.decimals is None and (yield from turns_by_radius(unit, compiler.flow.calls.load)):
@@ -131,13 +132,17 @@ class Run:
         message = f"the program ends without M2, M30 or `%`: {met}; the control stops here"
         raise self.state.fault("program-end-missing", unit.file, row, Span(0, 0), message)
 
-    def _is_watched(self, unit: Unit) -> bool:
+    def _is_watched(self, unit: Unit) -> Generator[None, None, bool]:
         """Whether anything may ask for the position or for modes: only then they are followed."""
         text, named = unit.document.text, self.state.machine.named
         if _WATCHED.search(text) or any(named(name_of(said)) for said in set(_GLOBAL.findall(text))):
             return True
         # A file that is called may ask as well.
-        return any(label not in unit.subs or self._compiler.flow.calls.load(label) is not None for label in unit.called)
+        for label in unit.called:
+            if label not in unit.subs or self._compiler.flow.calls.load(label) is not None:
+                return True
+            yield
+        return False
 
     def _where(self) -> str:
         """The innermost loop and what it depends on, in the user's words."""

@@ -29,6 +29,9 @@ Op = Callable[[], int]
 """A compiled line: it runs and gives the next row, or one of the signs above."""
 
 
+_CALLED = "rs274 called"
+
+
 class Block:
     """A flow block: the rows of its O-words. ``close`` is behind the last line while it is not known."""
 
@@ -172,7 +175,11 @@ class Unit:
     @property
     def called(self) -> frozenset[str | None]:
         """The labels of all calls; None for those that only the run knows."""
-        return self.document.gathered("rs274 called", _called)
+        return self.document.gathered(_CALLED, _called)
+
+    def calling(self) -> Iterator[None]:
+        """Find these labels, in steps."""
+        yield from self.document.gathering(_CALLED, _called)
 
     @cached_property
     def _bare(self) -> tuple[int, ...]:

@@ -12,7 +12,8 @@ from deburr.analysis import Analysis
 from deburr.finding import Finding, Severity
 from deburr.rules.rs274._folders import BREAKS, Folders
 from deburr.rules.rs274._guesses import Guesses
-from deburr.rules.rs274._program import Call, Program, Sub, program_of
+from deburr.rules.rs274._program import Call, Program, Sub, program_of, ready
+from deburr.steps import paced
 from deburr_grammar.text import Span
 
 _NESTED = "rs274 nested"
@@ -73,6 +74,14 @@ class World:
         self.path = analysis.file
         self.nested = bool(analysis.memo.get(_NESTED))
         """Whether the program is only looked at because another one calls it."""
+
+    def following(self) -> Iterator[None]:
+        """Follow the calls of the program, in steps."""
+        for call in paced(self.main.calls):
+            if call is None:
+                yield
+            else:
+                self.target(self.path, self.main, call)
 
     @cached_property
     def is_library(self) -> bool:
@@ -267,6 +276,12 @@ class World:
                 places += [(target.path, target.program, call) for call, _ in self.calls_in(target)]
         found = {call.label for path, program, call in places if self.target(path, program, call).how is How.SUB}
         return {label for label in found if label is not None}
+
+
+def ready_world(analysis: Analysis) -> Iterator[None]:
+    """Find where the calls of the program lead, in steps."""
+    yield from ready(analysis)
+    yield from world_of(analysis).following()
 
 
 def world_of(analysis: Analysis) -> World:

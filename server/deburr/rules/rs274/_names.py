@@ -8,11 +8,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from deburr.analysis import Analysis
-from deburr.rules.rs274._files import World, said, world_of
+from deburr.rules.rs274._files import World, ready_world, said, world_of
 from deburr.rules.rs274._frame import is_part
 from deburr.rules.rs274._guesses import Guesses
 from deburr.rules.rs274._held import Role
-from deburr.rules.rs274._program import Program, Sub, Use, ready
+from deburr.rules.rs274._program import Program, Sub, Use
 from deburr.steps import done, kept, paced
 
 
@@ -53,7 +53,7 @@ class Names:
     @classmethod
     def making(cls, analysis: Analysis) -> Generator[None, None, Names]:
         """The parameters of a program, sorted in steps."""
-        yield from ready(analysis)
+        yield from ready_world(analysis)
         names = cls(analysis)
         yield from names._sort()
         if names._program.sound:

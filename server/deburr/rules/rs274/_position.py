@@ -99,8 +99,8 @@ _OF_TOOLS = (1, 10, 11)
 """L words of G10 that change the tool table."""
 
 
-def faults(analysis: Analysis, watch: Watch) -> Iterator[tuple[int, str]]:
-    """The lines of moves with which something is wrong, and what. Where a chunk has none to look at, nothing is followed."""
+def faults(analysis: Analysis, watch: Watch) -> Iterator[tuple[int, str] | None]:
+    """The lines of moves with which something is wrong, and what, with a None before each chunk. Where a chunk has none to look at, nothing is followed."""
     stateful = analysis.ruleset.stateful
     fold = modal_of(analysis.dialect)
     if stateful is None or fold is None:
@@ -109,6 +109,7 @@ def faults(analysis: Analysis, watch: Watch) -> Iterator[tuple[int, str]]:
     here = HOME
     passed: list[tuple[Piece, State]] = []
     for piece, state in stateful.states(analysis.document):
+        yield None
         if not walk.concerns(piece):
             passed.append((piece, state))
             continue

@@ -27,8 +27,8 @@ class Unknown(NamedTuple):
     severity: Severity
 
 
-def unknown(analysis: Analysis, letter: str) -> Iterator[Unknown]:
-    """The codes of a letter that no table names.
+def unknown(analysis: Analysis, letter: str) -> Iterator[Unknown | None]:
+    """The codes of a letter that no table names, with a None behind each chunk.
 
     A file of subprograms alone is part of a machine's configuration, and such a file's machine may
     have codes of its own (REMAP). There it is but a warning.
@@ -40,6 +40,7 @@ def unknown(analysis: Analysis, letter: str) -> Iterator[Unknown]:
                 if code.startswith(letter) and _is_unknown(line, code, word):
                     severity = Severity.WARNING if world_of(analysis).is_library else Severity.ERROR
                     yield Unknown(piece.line + index, line, word, code, severity)
+        yield None
 
 
 def _lines(analysis: Analysis, piece: Piece) -> tuple[int, ...]:

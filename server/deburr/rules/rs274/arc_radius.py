@@ -153,9 +153,13 @@ _DIAMETER = "; under `G7` X is a diameter, and I and R are none"
 
 
 @rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the arcs."""
-    for at, why in faults(analysis, _WATCH):
+    for fault in faults(analysis, _WATCH):
+        if fault is None:
+            yield None
+            continue
+        at, why = fault
         line = Line(analysis.document.node(at), analysis.settings)
         found = words(line)
         number = found.first(*(AXES | {"I", "J", "K"} if ARCS.isdisjoint(found.has) else ARCS))

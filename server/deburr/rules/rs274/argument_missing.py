@@ -39,11 +39,10 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.rs274._files import World, said, world_of
+from deburr.rules.rs274._files import World, ready_world, said, world_of
 from deburr.rules.rs274._frame import is_part
 from deburr.rules.rs274._held import Call, Role, Use
-from deburr.rules.rs274._program import Program, Sub, ready
-from deburr.steps import paced
+from deburr.rules.rs274._program import Program, Sub
 from deburr_grammar.document import Document
 
 _ARGUMENTS = range(1, 31)
@@ -52,7 +51,7 @@ _MOST = 5
 _ASKING = frozenset(("IF", "ELSEIF", "WHILE", "REPEAT"))
 
 
-@rule(Severity.WARNING, Whole(ready))
+@rule(Severity.WARNING, Whole(ready_world))
 def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the first read of each argument."""
     world = world_of(analysis)
@@ -62,10 +61,9 @@ def check(analysis: Analysis) -> Iterator[Report | None]:
     calls: dict[str | None, list[Call]] = {}
     for call in main.calls:
         calls.setdefault(call.label, []).append(call)
-    for sub in paced(main.subs):
-        if sub is None:
-            yield None
-        elif sub.label in calls and sub.label is not None and len(main.by_label[sub.label]) == 1:
+    for sub in main.subs:
+        yield None
+        if sub.label in calls and sub.label is not None and len(main.by_label[sub.label]) == 1:
             passed = max(_passed(main.document, call) for call in calls[sub.label])
             yield from _unpassed(main, sub, calls[sub.label], passed)
 
@@ -82,10 +80,11 @@ def _unpassed(main: Program, sub: Sub, calls: list[Call], passed: int) -> Iterat
     own = main.uses_in(sub)
     if any(use.name is None and use.number is None for use in own):
         return
-    spared = {use.number for use in own if use.role is not Role.READ or _asks(main.document, use)}
-    for use in own:
+    arguments = [use for use in own if use.number in _ARGUMENTS]
+    spared = {use.number for use in arguments if use.role is not Role.READ or _asks(main.document, use)}
+    for use in arguments:
         number = use.number or 0
-        if use.role is Role.READ and number in _ARGUMENTS and number > passed and number not in spared:
+        if use.role is Role.READ and number > passed and number not in spared:
             spared.add(number)
             related = tuple(Note(call.line, call.span, "called here") for call in calls[:_MOST])
             message = f"no call of `{said(sub.label)}` passes an argument `#{number}`; the control takes 0 for it"

@@ -37,9 +37,12 @@ from deburr_grammar.text import Span
 
 
 @rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the code."""
     for found in unknown(analysis, "G"):
+        if found is None:
+            yield None
+            continue
         word = node(found.line, found.word)
         names = [each.name for each in analysis.dialect.codes.table("code") if each.name.startswith("G")]
         same = [name for name in names if name.partition(".")[0] == found.code.partition(".")[0]]

@@ -44,9 +44,12 @@ _LAST = 199
 
 
 @rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the code."""
     for found in unknown(analysis, "M"):
+        if found is None:
+            yield None
+            continue
         # A fraction is another fault: no M code has one.
         if "." not in found.code:
             word = node(found.line, found.word)

@@ -42,6 +42,7 @@ Good:
 
 import re
 from collections.abc import Iterator
+from itertools import chain
 
 from deburr.analysis import Analysis
 from deburr.rule import Line, Report, Severity, Whole, rule
@@ -53,9 +54,13 @@ _POLAR = frozenset("@^")
 
 
 @rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the first polar word of such a line."""
-    for at, why in sorted((*faults(analysis, _MOVES), *faults(analysis, _CYCLES))):
+    for fault in chain(faults(analysis, _MOVES), faults(analysis, _CYCLES)):
+        if fault is None:
+            yield None
+            continue
+        at, why = fault
         line = Line(analysis.document.node(at), analysis.settings)
         number = words(line).first(*_POLAR)
         yield report(line, number, f"`{said(line, number)}` {why}")._replace(line=at)

@@ -43,9 +43,13 @@ from deburr_grammar.dialects.rs274.modality import AXES
 
 
 @rule(Severity.ERROR, Whole())
-def check(analysis: Analysis) -> Iterator[Report]:
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the probe moves."""
-    for at, why in faults(analysis, _WATCH):
+    for fault in faults(analysis, _WATCH):
+        if fault is None:
+            yield None
+            continue
+        at, why = fault
         line = Line(analysis.document.node(at), analysis.settings)
         found = words(line)
         number = found.first(*(AXES if MUST_PROBE.isdisjoint(found.has) else MUST_PROBE))

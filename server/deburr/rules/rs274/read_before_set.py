@@ -37,14 +37,14 @@ Good:
     G0 X#101
 """
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator, Sequence
 
 from deburr.analysis import Analysis
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.rs274._files import World, world_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.rs274._files import World, ready_world, world_of
 from deburr.rules.rs274._frame import is_part
 from deburr.rules.rs274._held import Role
-from deburr.rules.rs274._program import Use, ready
+from deburr.rules.rs274._program import Use
 from deburr.rules.rs274._values import given
 from deburr.steps import paced
 
@@ -52,15 +52,22 @@ ARGUMENTS = range(1, 31)
 FREE = range(31, 5001)
 
 
-@rule(Severity.WARNING, Whole(ready))
+@rule(Severity.WARNING, Whole(ready_world))
 def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the first read of each number."""
     world = world_of(analysis)
-    reads = [use for use in world.main.uses if use.role is Role.READ and use.number is not None]
+    reads: list[Use] = []
+
+    def take(uses: Sequence[Use]) -> None:
+        reads.extend([use for use in uses if use.role is Role.READ and use.number is not None])
+
+    yield from parted(world.main.uses, take)
     if not reads or world.nested or world.is_library or analysis.settings["parameters"] or is_part(analysis):
         return
     told = {int(said) for said in given(analysis) if said.isdecimal()}
-    known, in_main = _known(world), _in_main(world)
+    known = yield from _known(world)
+    in_main: set[int] = set()
+    yield from parted(world.main.uses, lambda uses: in_main.update(_in_main(world, uses)))
     for use in paced(reads):
         if use is None:
             yield None
@@ -78,12 +85,19 @@ def _where(use: Use) -> str:
     return " in the main program" if use.number in ARGUMENTS else ""
 
 
-def _known(world: World) -> set[int] | None:
+def _known(world: World) -> Generator[None, None, set[int] | None]:
     """The numbers that are set anywhere; None where that is not certain."""
-    uses = [use for program in world.programs for use in program.uses if use.role in (Role.SET, Role.MENTIONED)]
-    if not world.is_complete or any(use.name is None and use.number is None for use in uses):
-        return None
-    return {use.number for use in uses if use.number is not None}
+    found: set[int] = set()
+    is_certain = world.is_complete
+    for use in paced(use for program in world.programs for use in program.uses) if is_certain else ():
+        if use is None:
+            yield
+        elif use.role in (Role.SET, Role.MENTIONED):
+            if use.number is not None:
+                found.add(use.number)
+            elif use.name is None:
+                return None
+    return found if is_certain else None
 
 
 def _is_unset(world: World, use: Use, known: set[int] | None, in_main: set[int]) -> bool:
@@ -96,7 +110,7 @@ def _is_unset(world: World, use: Use, known: set[int] | None, in_main: set[int])
     return use.number not in known or use.number not in in_main
 
 
-def _in_main(world: World) -> set[int]:
+def _in_main(world: World, uses: Sequence[Use]) -> set[int]:
     """The numbers that the main program sets, asks for or names in a line that cannot be read."""
-    uses = (use for use in world.main.uses if use.role is not Role.READ and world.main.sub_at(use.line) is None)
-    return {use.number for use in uses if use.number is not None}
+    said = (use for use in uses if use.role is not Role.READ and world.main.sub_at(use.line) is None)
+    return {use.number for use in said if use.number is not None}

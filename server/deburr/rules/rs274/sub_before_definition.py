@@ -70,12 +70,12 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.rs274._files import How, World, said, world_of
-from deburr.rules.rs274._program import Call, Program, Sub, ready
+from deburr.rules.rs274._files import How, World, ready_world, said, world_of
+from deburr.rules.rs274._program import Call, Program, Sub
 
 
-@rule(Severity.ERROR, Whole(ready))
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready_world))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report definitions in loops, and calls of the main program that lead to a definition which it comes to later."""
     world = world_of(analysis)
     program = world.main
@@ -88,9 +88,10 @@ def check(analysis: Analysis) -> Iterator[Report]:
             yield Report(sub.span, message, sub.start)
     later = {sub.label: sub for sub in met[::-1] if sub.inside is None}
     last = max((sub.start for sub in later.values()), default=-1)
-    for call in program.calls_by_sub.get(None, ()):
+    for call in program.calls_by_sub.get(None, ()) if last >= 0 else ():
         if call.line < last and not program.passed_over(call.line):
             yield from _early(world, call, later)
+            yield None
 
 
 def _early(world: World, call: Call, later: dict[str | None, Sub]) -> Iterator[Report]:

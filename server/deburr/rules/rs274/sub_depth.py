@@ -104,15 +104,16 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.rs274._files import World, said, world_of
-from deburr.rules.rs274._program import Call, Program, Sub, ready
+from deburr.rules.rs274._files import World, ready_world, said, world_of
+from deburr.rules.rs274._program import Call, Program, Sub
+from deburr.steps import paced
 
 DEEPEST = 9
 """Calls that can be active at once."""
 
 
-@rule(Severity.ERROR, Whole(ready))
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready_world))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the call that closes a circle, or the tenth of a chain, among calls of the program's own subs that are made whenever their sub runs."""
     world = world_of(analysis)
     program = world.main
@@ -120,7 +121,10 @@ def check(analysis: Analysis) -> Iterator[Report]:
         return
     told: set[int] = set()
     begun: set[Sub | None] = set()
-    for call in _starts(world):
+    for call in paced(_starts(world)):
+        if call is None:
+            yield None
+            continue
         sub = _sub_of(world, program, call)
         way = _too_deep(world, call) if sub not in begun else []
         begun.add(sub)
@@ -129,11 +133,11 @@ def check(analysis: Analysis) -> Iterator[Report]:
             yield _report(way)
 
 
-def _starts(world: World) -> list[Call]:
+def _starts(world: World) -> Iterator[Call]:
     """The calls with which a run can begin: in a library those of all subs."""
     program = world.main
     calls = program.calls if world.is_library else program.calls_by_sub.get(None, [])
-    return [call for call in calls if program.is_certain(call) and not program.passed_over(call.line)]
+    return (call for call in calls if program.is_certain(call) and not program.passed_over(call.line))
 
 
 def _report(way: list[Call]) -> Report:

@@ -90,13 +90,13 @@ from collections.abc import Iterator
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._calls import why
-from deburr.rules.rs274._files import How, Target, Trouble, World, world_of
-from deburr.rules.rs274._program import Call, ready
+from deburr.rules.rs274._files import How, Target, Trouble, World, ready_world, world_of
+from deburr.rules.rs274._program import Call
 
 _AT_ALL = (How.LACKS, How.PERCENT, How.MISNAMED)
 
 
-@rule(Severity.ERROR, Whole(ready))
+@rule(Severity.ERROR, Whole(ready_world))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report every call of a file that cannot serve it, and the first call of each file in which the control stops."""
     world = world_of(analysis)

@@ -36,21 +36,26 @@ Good:
     o<pocket-2_a.b> endsub
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from deburr.analysis import Analysis
-from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.rs274._files import How, world_of
+from deburr.rule import Report, Severity, Whole, parted, rule
+from deburr.rules.rs274._files import How, World, ready_world, world_of
 from deburr.rules.rs274._folders import BREAKS, MATCHES
-from deburr.rules.rs274._program import ready
+from deburr.rules.rs274._held import Call
 from deburr_grammar.text import Span
 
 
-@rule(Severity.ERROR, Whole(ready))
-def check(analysis: Analysis) -> Iterator[Report]:
+@rule(Severity.ERROR, Whole(ready_world))
+def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the name. One that is defined above the call is not looked for in files."""
     world = world_of(analysis)
-    for call in world.main.calls:
+    yield from parted(world.main.calls, partial(_of_calls, world))
+
+
+def _of_calls(world: World, calls: Sequence[Call]) -> Iterator[Report]:
+    for call in calls:
         if call.path is None or call.fanuc:
             continue
         label = Span(call.span.start + 1, call.span.end)

@@ -38,14 +38,13 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Note, Report, Severity, Whole, rule
-from deburr.rules.rs274._files import world_of
+from deburr.rules.rs274._files import ready_world, world_of
 from deburr.rules.rs274._o_words import end, note, said
-from deburr.rules.rs274._program import ready
 from deburr_grammar.structure import Fault, StructureFault
 from deburr_grammar.text import Span
 
 
-@rule(Severity.ERROR, Whole(ready))
+@rule(Severity.ERROR, Whole(ready_world))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the inner definition, and an O-word that starts a program in a subprogram that is called."""
     for fault in analysis.document.faults:

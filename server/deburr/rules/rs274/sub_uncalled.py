@@ -31,11 +31,10 @@ from collections.abc import Iterator
 
 from deburr.analysis import Analysis
 from deburr.rule import Report, Severity, Whole, rule
-from deburr.rules.rs274._files import said, world_of
-from deburr.rules.rs274._program import ready
+from deburr.rules.rs274._files import ready_world, said, world_of
 
 
-@rule(Severity.INFO, Whole(ready))
+@rule(Severity.INFO, Whole(ready_world))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report the definition, where all calls are known."""
     world = world_of(analysis)

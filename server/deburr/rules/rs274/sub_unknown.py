@@ -95,13 +95,12 @@ from deburr.analysis import Analysis
 from deburr.fixers import did_you_mean
 from deburr.rule import Note, Report, Severity, Whole, rule
 from deburr.rules.rs274._calls import IDLE, why
-from deburr.rules.rs274._files import How, said, world_of
-from deburr.rules.rs274._program import ready
+from deburr.rules.rs274._files import How, ready_world, said, world_of
 
 _NOWHERE = (How.MISSING, How.PASSED)
 
 
-@rule(Severity.ERROR, Whole(ready))
+@rule(Severity.ERROR, Whole(ready_world))
 def check(analysis: Analysis) -> Iterator[Report]:
     """Report every call that leads nowhere. Where the program's folder cannot be seen, only what the text itself decides."""
     world = world_of(analysis)

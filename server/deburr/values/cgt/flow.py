@@ -7,7 +7,7 @@ from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.steps import MANY
+from deburr.steps import FEW
 from deburr.templates.items import Body, Item
 from deburr.templates.parts import Branch, by_line, first_line, last_line, parts_of
 from deburr.templates.template import target
@@ -143,7 +143,7 @@ class Builder:
             if line is not None and first_line(parts[0]) > line:
                 self._resolve(self._waiting[-1])
             yield from self._parts(parts)
-            if self._next - self._left >= MANY:
+            if self._next - self._left >= FEW:
                 self._left = self._next
                 yield
             line = last_line(parts[-1])

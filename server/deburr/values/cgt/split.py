@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Generator, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from deburr.steps import paced
+from deburr.steps import FEW, paced
 from deburr.templates.beside import beside, events_in, is_events, machine_in
 from deburr.templates.items import Body, rows_of
 from deburr.templates.items import Builder as Bodies
@@ -130,7 +130,7 @@ def _section(part: Part, commands: Commands, kept: Kept[Section]) -> Generator[N
     if found is None:
         body = Body("section")
         bodies = Bodies(body)
-        for line in paced(zip(part.lines, part.nodes)):
+        for line in paced(zip(part.lines, part.nodes), FEW):
             if line is None:
                 yield
             else:

@@ -11,7 +11,7 @@ from functools import lru_cache
 from itertools import count
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.steps import paced
+from deburr.steps import FEW, paced
 from deburr.values.domain import NO, WILD, Value, may_be_zero, without_zero
 from deburr.values.graph import STOP, Calls, Env, Flows, Graph, Key, Node, Proof
 from deburr.values.kept import LINES, Kept
@@ -89,7 +89,7 @@ def _graph(taken: Taken, blocks: dict[int, _End], main: str) -> Generator[None, 
     texts: dict[int, Node] = {}
     seen: dict[Line, int] = {}
     end = len(taken.lines)
-    for each in paced(zip(count(), taken.files, taken.lines)):
+    for each in paced(zip(count(), taken.files, taken.lines), FEW):
         if each is None:
             yield
             continue

@@ -11,7 +11,7 @@ from collections.abc import Callable, Generator, Hashable, Mapping, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from deburr.steps import paced
+from deburr.steps import FEW, paced
 from deburr.values.graph import Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof, silent
 from deburr.values.rs274.commands import Commands
 from deburr.values.rs274.keys import ANYTHING, is_shared, shared
@@ -56,7 +56,7 @@ class Builder:
     def graph(self) -> Generator[None, None, Graph]:
         """The routine's flow, built in steps."""
         self._pair()
-        for each in paced(enumerate(self.lines)):
+        for each in paced(enumerate(self.lines), FEW):
             if each is None:
                 yield
             else:

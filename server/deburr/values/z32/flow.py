@@ -8,7 +8,7 @@ from collections.abc import Callable, Generator, Hashable, Iterable, Iterator, S
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.arithmetic.z32 import NEAR_INTEGER, constant
-from deburr.steps import paced
+from deburr.steps import FEW, paced
 from deburr.values.domain import ANY, UNSET, exactly
 from deburr.values.graph import RETURN, Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof
 from deburr.values.z32.blocks import Block
@@ -78,7 +78,7 @@ class Builder:
     def graph(self) -> Generator[None, None, Graph]:
         """The program's flow, built in steps."""
         yield from self._place()
-        for each in paced(enumerate(self.lines)):
+        for each in paced(enumerate(self.lines), FEW):
             if each is None:
                 yield
             else:
