@@ -146,7 +146,8 @@ class Outliner:
             _run(runs, index, step.reading)
             found += [(index, bracket) for bracket in step.brackets]
             _run(runs, index + 1, outline.reading(state))
-        return Outlined(tuple(runs), tuple(found), balance(bracket for _, bracket in found), state, reduction(found))
+        left = reduction(found)
+        return Outlined(tuple(runs), tuple(found), left.balance, state, left)
 
 
 @lru_cache(maxsize=8_192)

@@ -24,8 +24,8 @@ class Balance(NamedTuple):
 
     def then(self, after: "Balance") -> "Balance":
         """The balance of this stretch and the one behind it together. Associative; `Balance()` is neutral."""
-        if after is EVEN:
-            return self
+        if after is EVEN or self is EVEN:
+            return self if after is EVEN else after
         left = max(0, after.closers - self.openers)
         closers = self.closers if self.cut else self.closers + left
         openers = after.openers if after.cut else after.openers + max(0, self.openers - after.closers)
@@ -112,6 +112,12 @@ class Reduction(NamedTuple):
     faults: tuple[StructureFault, ...] = ()
     first: Placed | None = None
     last: Placed | None = None
+
+    @property
+    def balance(self) -> Balance:
+        """How much the stretch closes and opens too much."""
+        found = Balance(len(self.closers), len(self.openers), self.first is not None)
+        return EVEN if found == EVEN else found
 
     def then(self, after: "Reduction") -> "Reduction":
         """This stretch and the one behind it together; lines of both counted alike."""

@@ -1,7 +1,7 @@
 """CGT: what is proven of words at each command, what is not, and what an edit costs (spec/cgt.md §5)."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Generator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,7 @@ from deburr.finding import Finding, Severity
 from deburr.inputs import Inputs
 from deburr.ruleset import RuleSet
 from deburr.values import proving, values_of
+from deburr.values.cgt.flow import Builder, Section
 from deburr.values.cgt.generator import NAME as GENERATOR
 from deburr.values.graph import Graph
 from deburr.values.solve import Solution
@@ -194,6 +195,46 @@ def test_an_edit_costs_the_section_that_it_touches(monkeypatch: pytest.MonkeyPat
     assert _gone_through(f"{head}\n{LINE}{SECTIONS}", monkeypatch) == set()
     edited = SECTIONS.replace("X#V2", "Y#V2")
     assert _gone_through(f"{head}{LINE}{edited}", monkeypatch) == {"c"}
+
+
+PART = "@s{at}\n#EVAL(#V1={at})\n#REPEAT(4)<\n#EVAL(#V1=#V1+1)\nX#V1\n>\n@\n"
+PART_NODES = 8
+"""The header, a value, the count of the loop, where it comes round, a value, what is output, whether it comes round, the end."""
+
+
+def _worked(text: str, monkeypatch: pytest.MonkeyPatch) -> tuple[int, int]:
+    """How many nodes are built of sections, and how many those have that are gone through, each time that they are."""
+    built: list[int] = []
+    solved: list[int] = []
+    section = Builder.section
+
+    def counted(self: Builder, *more: Any) -> Generator[None, None, Section]:
+        found = yield from section(self, *more)
+        built.append(len(found.graph.nodes))
+        return found
+
+    class Counted(Solution):
+        def __init__(self, graph: Graph, *more: Any) -> None:
+            solved.append(len(graph.nodes))
+            super().__init__(graph, *more)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Builder, "section", counted)
+        patch.setattr("deburr.values.ledger.Solution", Counted)
+        assert values_of(analysed(text, "cgt", path=MAIN)) is not None
+    return sum(built), sum(solved)
+
+
+@pytest.mark.parametrize("many", [10, 80])
+def test_an_edit_is_as_much_work_whatever_stands_around_the_section(many: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only its nodes are built, and gone through with what `@LINE` passes and with what any section may have left."""
+    line = "@LINE\n" + "".join(f"#CALL(s{at})\n" for at in range(many)) + "@\n"
+    parts = [PART.format(at=at) for at in range(many)]
+    first = line + "".join(parts)
+    built, _ = _worked(first, monkeypatch)
+    assert built == many * PART_NODES + 1 + many + 1
+    edited = first.replace(parts[5], parts[5].replace("X#V1", "Y#V1"))
+    assert _worked(edited, monkeypatch) == (PART_NODES, 2 * PART_NODES)
 
 
 def test_lines_without_words_take_no_part() -> None:

@@ -17,11 +17,13 @@ from support.runs.z32 import Z32
 LANGUAGES = (RS274, METAGCODE, CGT, Z32)
 SEEDS: tuple[tuple[Language, int, int, int], ...] = (
     (RS274, 1_500, 100, 1_000),
-    (METAGCODE, 1_500, 250, 250),
+    (METAGCODE, 2_000, 250, 250),
     (CGT, 600, 60, 1_000),
     (Z32, 1_000, 100, 1_000),
 )
 """A language, how many of its programs are run, how many together, and how much must be looked at in those."""
+PROGRAMS = 5_000
+"""So many programs of all languages are run at least."""
 FAULTS = [pytest.param(each, fault, id=f"{each.name}-{fault}") for each in LANGUAGES for fault in each.mutants]
 CASES = [(each, path) for each in LANGUAGES for path in kept(each)]
 _OTHERS = range(90_000, 92_000)
@@ -32,6 +34,12 @@ def _groups() -> Iterator[tuple[Language, range, int]]:
     for language, count, together, least_seen in SEEDS:
         for first in range(0, count, together):
             yield language, range(first, first + together), least_seen
+
+
+def test_so_many_programs_are_run() -> None:
+    """Each seed of a language is in one group only."""
+    programs = [(language.name, seed) for language, seeds, _ in _groups() for seed in seeds]
+    assert len(set(programs)) == len(programs) >= PROGRAMS
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -111,8 +111,9 @@ def _read(piece: Piece) -> _Piece:
     name, row, count, unread = "", 0, 0, False
     lines: list[tuple[int, _Line]] = []
     parts: list[Part] = []
+    said = piece.chunk.lines
     for at, reading, shape in _wanted(piece):
-        line = _line(piece.chunk.line(at), reading, shape)
+        line = _line(said[at], reading, shape)
         count += 1
         unread = unread or line.unread
         if not line.header:
