@@ -40,8 +40,11 @@ def unknown(graphs: Mapping[str, Graph], order: Sequence[str]) -> dict[str, Summ
     """What is known of routines before any was gone through: nothing but the variables that they and all that they call read and set."""
     touched = {name: _both(graph.reads, graph.writes) for name, graph in graphs.items()}
     written = {name: graph.writes for name, graph in graphs.items()}
+    rank = {name: at for at, name in enumerate(order)}
+    around = any(rank[callee] <= rank[name] for name in order for callee in graphs[name].callees if callee in rank)
     for reached in (touched, written):
-        while _spread(reached, graphs, order):
+        # Once is enough where none calls itself through others.
+        while _spread(reached, graphs, order) and around:
             pass
     return {name: Summary(None, touched[name], written[name], graphs[name].mentions) for name in order}
 

@@ -152,6 +152,8 @@ class Expressions:
 
     def _applied(self, part: Node, divisor: Node | Token, apply: on.Lifted, *operands: Node | Token) -> Get:
         gets = [self.number(operand) for operand in operands]
+        if len(gets) == 2:
+            return self._applied_to_two(part, divisor, apply, *gets)
 
         def found(env: Env) -> Value:
             values = [get(env) for get in gets]
@@ -159,8 +161,18 @@ class Expressions:
                 value = apply(*values)
             except Refusal as refused:
                 raise self._refused(part, divisor, refused) from None
-            # Who goes on has a finite number.
-            return value._replace(wild=False) if value.wild else value
+            return _finite(value)
+
+        return found
+
+    def _applied_to_two(self, part: Node, divisor: Node | Token, apply: on.Lifted, left: Get, right: Get) -> Get:
+        def found(env: Env) -> Value:
+            one, two = left(env), right(env)
+            try:
+                value = apply(one, two)
+            except Refusal as refused:
+                raise self._refused(part, divisor, refused) from None
+            return _finite(value) if value.wild else value
 
         return found
 
@@ -214,6 +226,11 @@ def _parts(texts: frozenset[str] | None, first: Value, count: Value) -> frozense
     if texts is None or not (first.exact and count.exact):
         return None
     return frozenset(part_of(text, first.low, count.low) for text in texts)
+
+
+def _finite(value: Value) -> Value:
+    """What who goes on has: a finite number."""
+    return value._replace(wild=False) if value.wild else value
 
 
 def _unknown(env: Env) -> Value:
