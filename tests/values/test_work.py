@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import pytest
@@ -104,13 +105,19 @@ def test_what_routines_are_called_with_is_joined_again_where_an_edit_changes_it(
 def test_what_is_behind_a_loop_is_gone_through_once(dialect: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """It waits for what the loop really leaves, after the resting places of its values are forgotten."""
     asked: Counter[int] = Counter()
-    flows = Solution._flows
+    passed, went_on = Solution._pass, Solution._go_on
 
-    def counted(self: Solution, node: int, env: Env) -> dict[int, Env]:
+    def counted_pass(self: Solution, node: int, env: Env | None) -> None:
         asked[self.graph.nodes[node].line] += 1
-        return flows(self, node, env)
+        passed(self, node, env)
 
-    monkeypatch.setattr(Solution, "_flows", counted)
+    def counted_going(self: Solution, node: int, change: Callable[[Env], Env | None], env: Env) -> None:
+        before = asked.total()
+        went_on(self, node, change, env)
+        asked[self.graph.nodes[node].line] += asked.total() == before
+
+    monkeypatch.setattr(Solution, "_pass", counted_pass)
+    monkeypatch.setattr(Solution, "_go_on", counted_going)
     monkeypatch.setattr("deburr.values.ledger._kept", Kept[Any]())
     text = LOOPS[dialect]
     assert values_of(analysed(text, dialect)) is not None

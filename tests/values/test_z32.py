@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from deburr.analysis import Analysis
 from deburr.finding import Finding, Severity
 from deburr.ruleset import RuleSet
 from deburr.values import proving, values_of
-from deburr.values.graph import Calls, Env, Graph, Key
+from deburr.values.graph import Graph, Key
 from deburr.values.solve import Solution
 from deburr.values.words import said
 from deburr_grammar.document import Document
@@ -135,9 +137,9 @@ def _gone_through(text: str, monkeypatch: pytest.MonkeyPatch) -> list[int]:
     made: list[int] = []
 
     class Counted(Solution):
-        def __init__(self, graph: Graph, entry: Env, calls: Calls, forgotten: frozenset[Key] = frozenset()) -> None:
+        def __init__(self, graph: Graph, *more: Any) -> None:
             made.append(len(graph.nodes))
-            super().__init__(graph, entry, calls, forgotten)
+            super().__init__(graph, *more)
 
     with monkeypatch.context() as patch:
         patch.setattr("deburr.values.ledger.Solution", Counted)

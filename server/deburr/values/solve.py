@@ -236,16 +236,20 @@ class Solution:
                 if target >= 0:
                     self._waiting[target] = 1
 
-    def _go_on(self, node: int, change: Callable[[Env], Env], env: Env) -> None:
-        """The same where it only goes on to the next node: most do."""
+    def _go_on(self, node: int, change: Callable[[Env], Env | None], env: Env) -> None:
+        """The same where it only goes on to the next line: most do."""
         try:
             values = change(env)
         except Proof:
+            values = None
+        if values is None:
             self._pass(node, env)
             return
         self.before[node] = env
-        self.proofs.pop(node, None)
-        following = node + 1
+        if node in self.proofs:
+            del self.proofs[node]
+        self.doubtful.discard(node)
+        following = node + self.graph.step
         self._targets[node] = (following,)
         came = self._came[following]
         known = came.get(node)

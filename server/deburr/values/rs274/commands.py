@@ -25,6 +25,11 @@ class Executed:
         """What comes next."""
         return ((self._behind, put(env, self._acts.of(env))),)
 
+    def change(self, env: Env) -> Env | None:
+        """What it makes of the values; None where it may fail."""
+        puts = self._acts.certain(env)
+        return None if puts is None else put(env, puts)
+
 
 class Commands(Choices, Entering):
     """What the lines do: one of them."""
@@ -104,7 +109,9 @@ class Commands(Choices, Entering):
         elif acts is None:
             self._jump(behind)
         else:
-            self._add(Executed(acts, behind), sets)
+            executed = Executed(acts, behind)
+            change = executed.change if behind == 2 * (self._at + 1) else None
+            self._add(executed, sets, change=change)
 
     def _perhaps(self, acts: Acts | None, sets: Sequence[Hashable], ways: tuple[int, ...], deleted: bool) -> None:
         """A line that may be passed over, or stop the program: of several comments only the last one acts."""

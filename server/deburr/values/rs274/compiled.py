@@ -190,6 +190,16 @@ class Remembered(Generic[T]):
         found: T = known.found
         return found
 
+    def certain(self, env: Env) -> T | None:
+        """The same where it neither fails nor may fail; None where it does."""
+        if self._used is None:
+            return None
+        known = self._kept.get(tuple([env.get(name) for name in self._used]))
+        if known is not None:
+            return None if isinstance(known, _Told) else known
+        found = self.of(env)
+        return None if self._expressions.doubtful else found
+
     def _found(self, env: Env) -> T | _Told:
         self._expressions.doubtful = False
         try:

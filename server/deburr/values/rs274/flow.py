@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from deburr.values.rs274.expressions import Expressions
     from deburr.values.rs274.lines import Taken
 
+STEP = 2
+"""From the number of a line's node to that of the next one."""
 _SHARED = 1_024
 """So many ways that lead on are kept, whatever line they are behind."""
 
@@ -73,6 +75,7 @@ class Builder:
             shared(set(self._sets)),
             frozenset(self.callees),
             frozenset(key for key, times in self._sets.items() if times == 1),
+            step=STEP,
         )
 
     def _head(self, first: int, last: int) -> Head:
@@ -146,6 +149,7 @@ class Builder:
         calls: bool = False,
         dead: tuple[Dead, ...] = (),
         remark: Callable[[], Proof | None] = silent,
+        change: Callable[[Env], Env | None] | None = None,
     ) -> None:
         """Take a node in, whose flow says whether it is doubtful. ``sets``: what it may set; None among them: who knows which number."""
         used, to_set = frozenset(expressions.used), frozenset(sets)
@@ -153,12 +157,17 @@ class Builder:
         if to_set:
             self._sets.update(to_set)
         self._nodes[number] = Node(
-            at, flow, used, to_set, condition, expressions.is_doubtful, callee, calls, remark, dead
+            at, flow, used, to_set, condition, expressions.is_doubtful, callee, calls, remark, dead, change=change
         )
 
     def jump(self, number: int, at: int, to: int, condition: Span | None = None) -> None:
         """Take a node in that only goes on elsewhere."""
-        self._nodes[number] = Node(at, _to(to), condition=condition)
+        change = _same if to == number + STEP else None
+        self._nodes[number] = Node(at, _to(to), condition=condition, change=change)
+
+
+def _same(env: Env) -> Env:
+    return env
 
 
 @lru_cache(maxsize=_SHARED)

@@ -49,9 +49,11 @@ class Made:
         condition: Span | None = None,
         number: int | None = None,
         dead: tuple[Dead, ...] = (),
+        change: Callable[[Env], Env | None] | None = None,
     ) -> None:
         number = 2 * self._at if number is None else number
-        self._builder.add(number, self._at, flow, self._compiled.expressions, sets, condition, dead=dead)
+        expressions = self._compiled.expressions
+        self._builder.add(number, self._at, flow, expressions, sets, condition, dead=dead, change=change)
 
     def _jump(self, to: int, number: int | None = None, condition: Span | None = None) -> None:
         """Go on elsewhere, whatever the values are."""
