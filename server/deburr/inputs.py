@@ -30,7 +30,8 @@ EDITOR = Ways(
 class Inputs(NamedTuple):
     """What the operator and the machine would give.
 
-    ``define``: values by the language's own names. ``block_delete``: the operator's switch; None: not known.
+    ``define``: values by the language's own names. ``typed``: which of these names somebody wrote one by one, and may have
+    mistyped. ``block_delete``: the operator's switch; None: not known.
     ``simulate``: values that only a machine has are answered as the stand-alone interpreter does.
     ``decimals``: at most so many in computed values; None: as the dialect has it. ``partial``: what was
     produced before a fault is wanted. ``reached_only``: what is wrong with a text stops the run only where it comes to it.
@@ -45,3 +46,4 @@ class Inputs(NamedTuple):
     partial: bool = False
     reached_only: bool = False
     ways: Ways = Ways()
+    typed: tuple[str, ...] = ()

@@ -336,3 +336,24 @@ def test_files_of_their_sort_are_read(shell):
     shell.write("t.tbl", "; a table\n\nT2 P2 Z+25.4 D.5 ;mill T9 X\nt3p3 d1\n")
     ran = shell.run("expand", "p.ngc", "--parameters", "p.var", "--tool-table", "t.tbl")
     assert (ran.code, ran.out) == (0, "G0 X7.5 Y0\nT2 M6\nM2\n")
+
+
+def test_a_name_that_nothing_reads_is_warned_of(shell):
+    shell.write("a.ngc", "#<width>=5\no<deep> call\nG0 X#<Wi dth> Y#03\nM2\n")
+    shell.write("deep.ngc", "o<deep> sub\nG0 Z#<_deep>\no<deep> endsub\n")
+    given = ["-D", "_deep=2", "-D", "3=1", "-D", "#<width>=1", "-D", "wdith=2", "-D", "7=1"]
+    ran = shell.run("expand", "a.ngc", *given)
+    assert (ran.code, ran.out) == (0, "G0 Z2\nG0 X5 Y1\nM2\n")
+    assert ran.err == (
+        "deburr: warning: -D wdith: the program never reads `#<wdith>`; did you mean `width`?\n"
+        "deburr: warning: -D 7: the program never reads `#7`\n"
+    )
+    assert shell.run("expand", "-q", "a.ngc", *given).err == ""
+
+
+def test_what_a_run_alone_knows_may_read_any_name(shell):
+    shell.write("a.ngc", "#1=7\nG0 X##1\nM2\n")
+    assert shell.run("expand", "a.ngc", "-D", "7=3") == (0, "G0 X3\nM2\n", "")
+    shell.write("12.ngc", "o12 sub\nG0 X#<_wide>\no12 endsub\n")
+    shell.write("b.ngc", "#1=12\no#1 call\nM2\n")
+    assert shell.run("expand", "b.ngc", "-D", "_wide=3") == (0, "G0 X3\nM2\n", "")

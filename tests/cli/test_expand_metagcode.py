@@ -60,3 +60,13 @@ def test_what_is_wrong_in_a_snippet_of_a_snippet_is_shown_with_the_way_to_it(she
         assert words in ran.err.replace(str(shell.folder) + "/", "")
     ran = shell.run("check", "part.mgc", "--output-format", "concise")
     assert "b.txt:2:10: error metagcode.if-operator" in ran.out.replace("[", " ").replace("]", "")
+
+
+def test_a_name_that_nothing_reads_is_warned_of(shell):
+    shell.write("pocket.mgc", "#FILE deep.mgc\n" + LOOP)
+    shell.write("Snippets/deep.mgc", "G0 Z|Deep|\n")
+    ran = shell.run("expand", "pocket.mgc", "-D", "Depth=2", "-D", "Deep=1", "-D", "Detph=3")
+    expected = "deburr: warning: -D Detph: the program never reads `|Detph|`; did you mean `Depth`?\n"
+    assert ran == (0, "G0 Z1\nG1 Z-2\n", expected)
+    shell.write("part.vars", "Depth=2\nDeep=1\nLength=4\n")
+    assert shell.run("expand", "pocket.mgc", "--variables", "part.vars").err == ""

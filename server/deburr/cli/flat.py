@@ -204,6 +204,8 @@ def _run(flat: Flat) -> Iterator[Finding]:
     if said != started:
         print(file=sys.stderr)
     flat.whole = not job.halted
+    for message in job.unread if not flat.terms.quiet else ():
+        complain(message, "warning")
     documents = {each.file: each for each in flat.programs}
     for fault in job.faults:
         if fault.given:

@@ -46,8 +46,10 @@ def add_reached_only(found: argparse.ArgumentParser) -> None:
 
 def inputs_of(arguments: argparse.Namespace) -> Inputs:
     """What the operator and the machine would give."""
+    define = defines(arguments.define)
     return Inputs(
-        define=defines(arguments.define),
+        define=define,
+        typed=tuple(define),
         block_delete=None if arguments.block_delete is None else arguments.block_delete == "on",
         simulate=arguments.machine_values == "simulate",
     )

@@ -88,6 +88,8 @@ class Job:
         """Whether the last fault ended the run."""
         self.where: Callable[[], str] = str
         """What the run is in, in words: a loop and its variable's last values; nothing outside of loops."""
+        self.unread: list[str] = []
+        """What there is to say of values that were given by name for the run, and that nothing in its texts reads."""
         self.held = Held()
         """What is wrong with the texts and was not met yet."""
         self.pace = pace

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from deburr.expand.metagcode.build import Run
 from deburr.expand.metagcode.form import CROSSES, line_faults, tie
 from deburr.expand.metagcode.gather import Gathered, Gatherer
-from deburr.expand.metagcode.values import values_of
+from deburr.expand.metagcode.values import unread, values_of
 from deburr.fault import Fault, Halt
 
 if TYPE_CHECKING:
@@ -48,6 +48,7 @@ def run(job: Job) -> Iterator[None]:
             job.meet(fault)
     values, of_values = values_of(job)
     _refuse(job, of_values[:1], gatherer.alone)
+    job.unread += unread(job, (reached.source.text.document for reached in gatherer.reached))
     yield from Run(job, gathered, values, gatherer.alone).steps()
 
 

@@ -4,17 +4,25 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.unit import Unit
 from deburr.formats.parameters import read
 from deburr.steps import done
+from deburr.suggest import suggestion
 from deburr_grammar.document import Document
 
 if TYPE_CHECKING:
     from deburr.expand.job import Job
     from deburr.expand.rs274.state import State
 
+_NUMBERED = re.compile(r"(?i)m[ \t]*0*[ \t]*98[ \t]*p[ \t]*0*([0-9]+)")
+_NAMED = re.compile(r"#[ \t]*<([^<>\r\n]*)>")
+_INDEX = re.compile(r"#[ \t]*0*([0-9]+)")
+_CALCULATED = re.compile(r"#[ \t]*[^ \t0-9<]|[0-9][ \t]+[0-9]")
+"""A number of a parameter that is calculated, or written with blanks in it."""
+_OWN = 5000
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
@@ -26,6 +34,38 @@ def loaded(job: Job, label: str) -> Unit | None:
         if text is not None:
             return done(Unit.making(path, Document.parse(text, job.ruleset.dialect)))
     return None
+
+
+def called_files(unit: Unit, load: Callable[[str], Unit | None]) -> Iterator[Unit | None]:
+    """A program and the files that its calls lead to, and theirs; None for each that only the run knows. ``load`` brings the file of a label."""
+    seen: set[str | None] = set()
+    waiting = [unit]
+    while waiting:
+        unit = waiting.pop()
+        yield unit
+        called = {*unit.called, *_NUMBERED.findall(unit.document.text)} - seen
+        seen |= called
+        if None in called:
+            yield None
+        waiting += [file for label in called if label is not None and (file := load(label)) is not None]
+
+
+def unread(job: Job, unit: Unit, load: Callable[[str], Unit | None]) -> Iterator[str]:
+    """What there is to say of values that were given for the run, and that neither the program nor a file that it calls mentions."""
+    given = {name: name.strip().removeprefix("#").strip("<>").lower() for name in job.inputs.typed}
+    files = list(called_files(unit, load)) if given else []
+    if None in files:
+        return
+    text = "\n".join(file.document.text for file in files if file is not None).lower()
+    names = {"".join(said.split()) for said in _NAMED.findall(text)}
+    numbers = {int(said) for said in _INDEX.findall(text)}
+    for said, name in given.items():
+        if name.isascii() and name.isdigit():
+            # Numbers from 5000 on mean something to the control, and others can be calculated.
+            if int(name) < _OWN and int(name) not in numbers and not _CALCULATED.search(text):
+                yield f"-D {said}: the program never reads `#{name}`"
+        elif "".join(name.split()) not in names:
+            yield f"-D {said}: the program never reads `#<{name}>`{suggestion(name, names)}"
 
 
 def first_values(state: State) -> None:

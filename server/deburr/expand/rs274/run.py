@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from deburr.expand.job import EXACT
 from deburr.expand.rs274.compiling import Compiler
-from deburr.expand.rs274.files import first_values
+from deburr.expand.rs274.files import first_values, unread
 from deburr.expand.rs274.following import follow
 from deburr.expand.rs274.machine import Machine
 from deburr.expand.rs274.output import Output
@@ -108,6 +108,7 @@ class Run:
         compiler = self._compiler
         yield from unit.calling()
         compiler.watch = yield from self._is_watched(unit)
+        self.job.unread += unread(self.job, unit, compiler.flow.calls.load)
         if worth_running(unit.document) or self.reached.active:
             self.out.judged()
             if self.job.inputs.decimals is None and (yield from turns_by_radius(unit, compiler.flow.calls.load)):

@@ -6,12 +6,12 @@ length of 30 mm can move it by hundredths.
 
 from __future__ import annotations
 
-import re
 from functools import reduce
 from operator import or_
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.axes import AXES
+from deburr.expand.rs274.files import called_files
 from deburr.expand.rs274.modes import GROUP_OF
 from deburr.expand.rs274.words import codes_of
 from deburr_grammar.dialects.rs274.outline import PROGRAM
@@ -28,22 +28,18 @@ GEOMETRY = frozenset(f"{AXES}IJKR@^")
 """Letters of words that say where a move leads."""
 _NO_ARCS = {"G10"} | {f"G{code / 10:g}" for code, group in GROUP_OF.items() if group == "motion"} - {"G2", "G3"}
 _TURNS, _RADIUS, _BOTH = 1, 2, 3
-_NUMBERED = re.compile(r"(?i)m[ \t]*0*[ \t]*98[ \t]*p[ \t]*0*([0-9]+)")
 
 
 def turns_by_radius(unit: Unit, load: Callable[[str], Unit | None]) -> Generator[None, None, bool]:
     """Whether a program with the files that it calls may have an arc in R form, found in steps. ``load`` brings the file of a label."""
-    seen: set[str | None] = set()
-    found, waiting = 0, [unit]
-    while waiting:
-        unit = waiting.pop()
-        for piece in unit.document.pieces():
-            found |= _of_piece(unit.document, piece)
+    found = 0
+    for file in called_files(unit, load):
+        if file is None:
+            found |= _BOTH
+            continue
+        for piece in file.document.pieces():
+            found |= _of_piece(file.document, piece)
             yield
-        called = {*unit.called, *_NUMBERED.findall(unit.document.text)} - seen
-        seen |= called
-        found |= _BOTH if None in called else 0
-        waiting += [file for label in called if label is not None and (file := load(label)) is not None]
     return found == _BOTH
 
 
