@@ -3,7 +3,8 @@
 import pytest
 
 from deburr.finding import Severity
-from deburr.values import proving
+from deburr.values import proving, value_at
+from deburr.values.words import said as in_words
 from support.values import MAIN, analysed
 
 NAMES = ("a", "b", "c", "d")
@@ -119,3 +120,14 @@ def test_a_snippet_may_ask_what_its_text_has_decided() -> None:
     files = {"Snippets/guard.txt": "#IF1 |d| lessthan 5 n\nG1\n#ENDIF1\n"}
     program = "#IF1 |d| greaterthan 10 n\n#FILE guard.txt\n#ENDIF1\n"
     assert [each for each in proving(analysed(program, "metagcode", files)) if each is not None] == []
+
+
+@pytest.mark.parametrize(
+    ("row", "said"),
+    [(0, None), (1, None), (2, "at least 5"), (3, "at least 5"), (4, "at least 5"), (5, None), (8, None)],
+)
+def test_lines_between_those_that_ask_hold_what_comes_to_them(row: int, said: str | None) -> None:
+    files = {"Snippets/open.txt": "#IF1 |d| greaterthan 5 n\n"}
+    text = "G1 X|d|\n#FILE open.txt\nG1 X|d|\nG1 X-|d|\n#ENDIF1\nG1 X|d|\n#IF2 |e| equalto 1 n\n#ENDIF2\nG1 X|d|\n"
+    found = value_at(analysed(text, "metagcode", files), row, "|d|", False)
+    assert (None if found is None else in_words(found)) == said

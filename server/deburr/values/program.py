@@ -40,6 +40,8 @@ class Routine(NamedTuple):
     """The files of its lines, where it is made from several or stands in another one."""
     shared: bool = False
     """Whether its lines may be those of other routines as well, wherever they stand: what goes wrong in them must do so in all."""
+    between: str | None = None
+    """The file whose other lines, between these, only lead on to the next of them."""
 
     def is_elsewhere(self, file: str) -> bool:
         """Whether none of its lines stands in a file, so that it only tells what its callers see of it."""
@@ -204,6 +206,9 @@ class Program:
             if behind:
                 nodes = [to for node in nodes for to in solution.targets(node) if list(solution.sources(to)) == [node]]
             envs += [solution.before[node] for node in nodes if node in solution.before]
+        for name, solved in self.solved.items() if not envs else ():
+            env = _between(self.routines[name], solved.solution, file, row)
+            envs += [env] if env is not None else []
         return reduce(joined, (env[key] for env in envs)) if envs and all(key in env for env in envs) else None
 
     def _leave(self, name: str, returned: Env | None) -> None:
@@ -248,6 +253,17 @@ def _with_unset(env: Env, keys: frozenset[Key]) -> Env:
 def _is_same(one: Env, two: Env) -> bool:
     """Whether two hold the same: those of a program that was edited elsewhere are mostly one object."""
     return one is two or one == two
+
+
+def _between(routine: Routine, solution: Solution, file: str, row: int) -> Env | None:
+    """What comes to a line between those of a routine; None: nothing, or it is none."""
+    if routine.between != file or routine.files is None or _at(routine, file, row):
+        return None
+    lines = (at for at, each in enumerate(routine.files) if each == file and routine.rows[at] > row)
+    following = next(lines, None)
+    if following is None:
+        return solution.ending
+    return solution.before.get(min(at for at, node in routine.graph.nodes.items() if node.line == following))
 
 
 def _at(routine: Routine, file: str, row: int) -> list[int]:

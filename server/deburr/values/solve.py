@@ -130,6 +130,11 @@ class Solution:
         return joined_all(self._came[RETURN].values())
 
     @property
+    def ending(self) -> Env | None:
+        """What it ends the program with; None: it does not."""
+        return joined_all(self._came[STOP].values())
+
+    @property
     def ends(self) -> bool:
         """Whether any way comes to its end, or to that of the program."""
         return bool(self._came[RETURN] or self._came[STOP])

@@ -24,6 +24,7 @@ from deburr.values.remembering import remembering
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.metagcode.forms import condition, groups, is_numeric
 from deburr_grammar.dialects.metagcode.limits import NESTED, PASSES
+from deburr_grammar.dialects.metagcode.outline import SNIPPET
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ def routine_of(analysis: Analysis) -> Generator[None, None, Routine | None]:
     if graph is None:
         made = yield from _graph(found, blocks, analysis.file)
         graph = _graphs.add(key, made, len(found.lines))
-    return Routine(_NAME, found.rows, graph, {}, found.files)
+    return Routine(_NAME, found.rows, graph, {}, found.files, between=analysis.file)
 
 
 class _End(NamedTuple):
@@ -69,7 +70,7 @@ def _blocks(lines: Sequence[Line]) -> dict[int, _End] | None:
     """The ends of blocks; None if they do not fit, or a line cannot be read."""
     found: dict[int, _End] = {}
     opened: list[int] = []
-    for at in [at for at, line in enumerate(lines) if line.bracket is not None]:
+    for at in [at for at, line in enumerate(lines) if line.bracket is not None and line.bracket.kind != SNIPPET]:
         line, bracket = lines[at], lines[at].bracket
         if bracket is None or line.node.problems or bracket.role is Role.MIDDLE or len(opened) > NESTED:
             return None
@@ -147,6 +148,8 @@ _BEHIND, _BEYOND = 0, 1
 def _new_node(line: LineNode, bracket: Bracket | None, depth: int, own: bool) -> Node:
     if bracket is None:
         return _words(line)
+    if bracket.kind == SNIPPET:
+        return Node(0, lambda env, calls: ((_BEHIND, env),))
     if bracket.role is Role.CLOSE:
         return Node(0, _closed(depth), condition=bracket.span)
     for part in line.find("condition"):

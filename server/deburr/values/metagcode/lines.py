@@ -91,7 +91,8 @@ def _gather(
     for piece in document.holding(_KEY, _marks, _LINES):
         here, start = _of_piece(document, piece), 0
         for at in here.snippets:
-            found.add(file, piece.line, here, start, at)
+            # The line itself stands before what it puts in.
+            found.add(file, piece.line, here, start, at + 1)
             start = at + 1
             bracket = here.lines[at].bracket
             name = bracket.label if bracket is not None else None
