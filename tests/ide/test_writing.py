@@ -15,7 +15,7 @@ FILES = {
     "metagcode": {"Snippets__part": "", "Snippets__deep__more": "", "job_vars": "Width=3\nDepth=4\n"},
     "rs274": {"ext_ngc": "o<ext> sub\no<ext> endsub\n", "subs__far_ngc": ""},
     "cgt": {},
-    "z32": {"cmos__7_z32": "G1\n:12\nG26\n", "root__A__b_txt": "", "root__c_txt": ""},
+    "z32": {"cmos__7_z32": "G1\n:12\nG26\n", "cmos-temp__9_z32": "G26\n", "root__A__b_txt": "", "root__c_txt": ""},
 }
 SETTINGS: dict[str, dict[str, object]] = {
     "metagcode": {"variables": "job.vars"},
@@ -70,6 +70,7 @@ BLOCKS = "(P)\nN10 G1\n!HA=1!\n:5\nN20\n!PAL[3]=1!\n"
         ("z32", f"{BLOCKS}!GON<|>\n", ["10", "20"]),
         ("z32", f"{BLOCKS}!GON10-N<|>\n", ["10", "20"]),
         ("z32", f"{BLOCKS}!GOP<|>\n", ["5", "7", "12"]),
+        ("z32", f"{BLOCKS}!GOS<|>\n", ["5", "9"]),
         ("z32", f"{BLOCKS}!:L254-<|>\n", ["A\\b", "c"]),
         ("z32", f"{BLOCKS}!:L254-A\\<|>\n", ["A\\b"]),
         ("z32", f"{BLOCKS}!<|>\n", ["IF", "EB", "CP", "PC", "GON", "GOP", "GOS", ":L254-", "HA", "PAL[3]", "PAL["]),

@@ -398,6 +398,7 @@ def test_a_subprogram_may_end_in_g26_and_hold_an_m30() -> None:
     assert found("!IF PAR[1]>0; GON10!\nM30\nN10 X1\nG26\n") == []
     assert found("!IF PAR[1]<0; GON900!\nX1\nG26\nN900 M30\n") == []
     assert found("X1\nG26\nM30\n", file="jobs/cmos/7.z32", cmos_dir="cmos") == []
+    assert found("X1\nG26\nM30\n", file="jobs/cmos-temp/7.z32", cmos_dir="cmos") == []
     assert found("X1\nG26\nM30\n", file="jobs/main.z32", cmos_dir="cmos") == [("g26-outside", 1, 0, 3)]
 
 

@@ -1,9 +1,10 @@
 """Where called programs lie: the memory of the control, which here is a folder, and the files of L254 (spec/z32.md §6.4). Runs nothing."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from posixpath import dirname, join, normpath
+from posixpath import basename, dirname, join, normpath
+from typing import Any
 
 from deburr.host import Host
 from deburr_grammar.dialects.z32.forms import parts, sections_in
@@ -14,6 +15,18 @@ _NUMBERED = re.compile(r"0*([0-9]+)(?:\.[^.]*)?")
 def beside(file: str, path: str) -> str:
     """A configured path as the host knows it: relative ones start at the program's folder."""
     return normpath(join(dirname(file), path.replace("\\", "/")))
+
+
+def temporary(folder: str) -> str:
+    """The folder of the temporary programs, which GOS calls, beside that of GOP."""
+    return f"{normpath(folder)}-temp"
+
+
+def is_stored(file: str, settings: Mapping[str, Any]) -> bool:
+    """Whether a program lies in a folder of those that others call."""
+    home = basename(dirname(file))
+    cmos, root = (normpath(str(settings[name])) for name in ("cmos-dir", "file-root"))
+    return bool(home) and home in {basename(each) for each in (cmos, temporary(cmos), root)}
 
 
 def own_files(host: Host, folder: str, number: int) -> Sequence[str]:

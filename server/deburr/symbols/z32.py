@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 _SEQUENCE = re.compile(r"(?i)(?:(?<=go[nps])|(?<=-n))[0-9]*$")
 _INDEX = re.compile(r"(?i)pa[lr]\[[0-9]*$")
 _CALLED = re.compile(r"(?i):[ \t]*l254[ \t]*-[ \t]*([^!;]*)$")
+_TEMPORARY = re.compile(r"(?i)gos[ \t]*[0-9]*$")
 _FIELDS = re.compile(r"([ \t]*/?[ \t]*(?:[Nn][ \t]*[0-9.,]+[ \t]*)?)!.*[;!][ \t]*")
 _PARTIAL = re.compile(r"[A-Za-z]+[0-9]*$|[0-9]+$")
 SHARED = "shared with called programs"
@@ -120,7 +121,8 @@ def files(file: str, ruleset: RuleSet, host: Host, before: str) -> Iterator[str]
     if _CALLED.search(before):
         yield from _paths(host, stores.beside(file, root), "") if root else ()
     elif folder:
-        yield from map(str, sorted(stores.programs(host, stores.beside(file, folder))))
+        store = stores.temporary(folder) if _TEMPORARY.search(before) else folder
+        yield from map(str, sorted(stores.programs(host, stores.beside(file, store))))
 
 
 def _paths(host: Host, folder: str, prefix: str) -> Iterator[str]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Generator, Iterator, Sequence
 from functools import cached_property
-from posixpath import basename, dirname, normpath
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr.arithmetic.z32 import NEAR_INTEGER, constant
+from deburr.includes import z32 as stores
 from deburr.steps import done, paced
 from deburr_grammar.dialects.z32.forms import number_of, section_number
 
@@ -156,9 +156,7 @@ class Unit:
 
     def is_main(self, settings: Mapping[str, Any]) -> bool:
         """Whether it is certain that the operator starts this program: its main part ends in M2 or M30, and not at a jump target."""
-        homes = {basename(normpath(str(settings[name]))) for name in ("cmos-dir", "file-root")}
-        folder = dirname(self.file)
-        if folder and basename(folder) in homes:
+        if stores.is_stored(self.file, settings):
             return False
         last = self.sections[0] if self.sections else len(self.code)
         row = self.last_block(Program(self, 0, last))

@@ -2,7 +2,6 @@
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Generator, Iterator, Mapping, Sequence
-from posixpath import basename, dirname, normpath
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
@@ -205,8 +204,7 @@ def is_main(analysis: Analysis) -> bool:
 
     A subprogram may hold an M30 too, but behind a condition, not as its last block.
     """
-    homes = {basename(normpath(str(analysis.settings[name]))) for name in ("cmos-dir", "file-root")}
-    if not homes.isdisjoint(dirname(analysis.file).split("/")[-1:]) and dirname(analysis.file):
+    if stores.is_stored(analysis.file, analysis.settings):
         return False
     starts = sections(analysis)
     last = last_block(analysis, 0, starts[0] if starts else analysis.document.line_count)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Mapping, Sequence
-from posixpath import basename, dirname, normpath
 from typing import TYPE_CHECKING
 
 from deburr.arithmetic.z32 import constant
+from deburr.includes import z32 as stores
 from deburr.values.graph import Env, Graph, unset
 from deburr.values.kept import Kept
 from deburr.values.program import Routine
@@ -169,9 +169,7 @@ def _ends(line: Taken) -> bool:
 def _is_main(analysis: Analysis, marks: Marks) -> bool:
     """Whether it is certain that the operator starts this program: its main part ends in M2 or M30, and not at a jump target."""
     document = analysis.document
-    homes = {basename(normpath(str(analysis.settings[name]))) for name in ("cmos-dir", "file-root")}
-    folder = dirname(analysis.file)
-    if folder and basename(folder) in homes:
+    if stores.is_stored(analysis.file, analysis.settings):
         return False
     end = next(rows_with(document, "section"), document.line_count)
     rows = (row for row in range(end - 1, -1, -1) if not _ACTIVE.isdisjoint(document.node(row).kinds))
