@@ -106,12 +106,51 @@ class Pace:
         return where
 
 
-def paced(dialect: str, text: str) -> Pace:
-    """The steps in which a program is checked when it is opened."""
-    pace, start = Pace(), idle.Idle.start
+class Effort:
+    """Counts the calls of each step, of functions of any sort: what a step does, whatever machine it is done on."""
+
+    def __init__(self) -> None:
+        self.most = 0
+        self.where = ""
+        """The step with the most: where the work was left before it, and where behind it."""
+        self._calls = 0
+
+    def measured(self, work: Iterator[Any]) -> Iterator[Any]:
+        """The same work."""
+        left = ""
+        while True:
+            self._calls = 0
+            sys.setprofile(self._count)
+            try:
+                found = next(work)
+            except StopIteration:
+                return
+            finally:
+                sys.setprofile(None)
+                before, left = left, " ".join(_left_at(work))
+                if self._calls > self.most:
+                    self.most, self.where = self._calls, f"{before}\n-> {left}"
+            yield found
+
+    def _count(self, frame: FrameType, event: str, argument: object) -> None:
+        if event.endswith("call"):
+            self._calls += 1
+
+
+def _left_at(work: Any) -> Iterator[str]:
+    """The lines at which generators wait for each other."""
+    while (frame := getattr(work, "gi_frame", None)) is not None:
+        code = frame.f_code
+        yield f"{code.co_filename.rpartition('/')[2]}:{code.co_name}:{frame.f_lineno}"
+        work = work.gi_yieldfrom
+
+
+def drive(measure: Pace | Effort, dialect: str, text: str) -> None:
+    """Measure the steps in which a server checks a program when it is opened."""
+    start = idle.Idle.start
 
     def started(self: idle.Idle, key: object, work: idle.Work, *, urgent: bool = False) -> None:
-        start(self, key, pace.measured(work), urgent=urgent)
+        start(self, key, measure.measured(work), urgent=urgent)
 
     idle.Idle.start = started  # type: ignore[method-assign]
     try:
@@ -120,7 +159,6 @@ def paced(dialect: str, text: str) -> Pace:
             server.settle()
     finally:
         idle.Idle.start = start  # type: ignore[method-assign]
-    return pace
 
 
 def program(dialect: str, lines: int, kind: str) -> str:
@@ -134,9 +172,12 @@ def program(dialect: str, lines: int, kind: str) -> str:
 
 def main(dialect: str, lines: str = "100000", kind: str = "macros") -> None:
     """Tell of the longest steps."""
-    paced(dialect, program(dialect, 200, kind))
+    pace = Pace()
+    drive(pace, dialect, program(dialect, 200, kind))
+    pace.steps.clear()
+    pace.total = 0.0
     text = program(dialect, int(lines), kind)
-    pace = paced(dialect, text)
+    drive(pace, dialect, text)
     print(f"{dialect} {kind}: {text.count(chr(10)):,} lines, {pace.total:.2f} s in all")
     places: dict[str, list[float]] = {}
     for step in pace.steps:

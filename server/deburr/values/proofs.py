@@ -27,8 +27,12 @@ def findings(program: Program, analysis: Analysis, written: Written) -> Iterator
     places = Places(program)
     for name, solved in program.solved.items():
         routine = program.routines[name]
-        for node, proof in _proofs(routine, solved.solution, analysis, places):
-            yield from _found(explained, routine, node, proof, analysis)
+        yield None
+        for proven in _proofs(routine, solved.solution, analysis, places):
+            if proven is None:
+                yield None
+            else:
+                yield from _found(explained, routine, *proven, analysis)
     yield from _idle(program, analysis, written)
 
 
@@ -47,11 +51,14 @@ def _report(proof: Proof) -> Report:
     return Report(proof.span, proof.message, severity=proof.severity)
 
 
-def _proofs(routine: Routine, solution: Solution, analysis: Analysis, places: Places) -> Iterator[tuple[int, Proof]]:
+def _proofs(
+    routine: Routine, solution: Solution, analysis: Analysis, places: Places
+) -> Iterator[tuple[int, Proof] | None]:
     for node, proof in sorted({**solution.remarks, **solution.proofs}.items()):
         if places.agree(routine, node, proof):
             yield node, proof
     for loop in routine.graph.loops:
+        yield None
         if routine.files is None and _is_endless(solution, loop) and places.alone(routine, loop.test):
             row = routine.rows[routine.graph.nodes[loop.test].line]
             said = analysis.document.line(row)[loop.span.start : loop.span.end]
@@ -66,7 +73,11 @@ def _idle(program: Program, analysis: Analysis, written: Written) -> Iterator[Fi
     unreached = [
         routine.name for routine in here if routine.name not in program.solved and _is_called(program, routine.name)
     ]
-    if not unreached and not any(_ways(routine, program.solved[routine.name].solution) for routine in routines):
+    found = bool(unreached)
+    for routine in routines:
+        yield None
+        found = found or bool(_ways(routine, program.solved[routine.name].solution))
+    if not found:
         return
     general = program.general
     if general is not program:
@@ -75,10 +86,12 @@ def _idle(program: Program, analysis: Analysis, written: Written) -> Iterator[Fi
     explained, places = Explanation(general, analysis, written), Places(general)
     for routine in routines:
         if routine.name in general.solved:
+            yield None
             ways = _ways(routine, general.solved[routine.name].solution)
             for node, dead in (each for each in ways if places.alone(routine, each[0])):
                 proof = Proof(dead.kind, dead.span, dead.message, severity=dead.severity)
                 yield from _found(explained, routine, node, proof, analysis)
+                yield None
     for name in unreached:
         if name not in general.solved:
             yield from _unreached(general, explained, name, analysis)
@@ -115,8 +128,11 @@ def _unreached(program: Program, explained: Explanation, name: str, analysis: An
 
 def _is_endless(solution: Solution, loop: Loop) -> bool:
     """Whether every way through a loop goes round again, and nothing in it can stop the control."""
-    inside = [node for node in solution.before if loop.first <= node <= loop.last]
-    if not {loop.head, loop.test} <= solution.before.keys() or not solution.doubtful.isdisjoint(inside):
+    if not {loop.head, loop.test} <= solution.before.keys():
+        return False
+    # A program may have a thousand loops: each looks at its own nodes only.
+    inside = [node for node in range(loop.first, loop.last + 1) if node in solution.before]
+    if not solution.doubtful.isdisjoint(inside):
         return False
     ways = [solution.targets(node) for node in inside]
     return all(way and all(loop.first <= target <= loop.last for target in way) for way in ways)
