@@ -13,6 +13,10 @@ from deburr.values.graph import Calls, Env, Flows, Graph, Node, join
 from deburr.values.kept import Kept
 from deburr.values.metagcode import flow
 from deburr.values.solve import Solution
+from deburr.values.z32.expressions import World
+from deburr.values.z32.flow import Builder
+from deburr.values.z32.made import Made
+from deburr.values.z32.made import made as lines_made
 from deburr_grammar.line import LineNode
 from support.values import analysed
 
@@ -99,6 +103,39 @@ def test_what_routines_are_called_with_is_joined_again_where_an_edit_changes_it(
             assert values_of(analysed(_text(dialect, edit, many), dialect)) is not None
         joined.append(len(made))
     assert joined[0] == joined[1] < 20, joined
+
+
+def test_behind_an_edit_the_flow_of_its_section_is_made_again_of_what_its_lines_were_made(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It is the same work whether a program has few sections or many: the nodes of one, and what one line says."""
+    for many in (MANY // 2, MANY):
+        nodes: list[int] = []
+        lines: list[str] = []
+        add, made = Builder.add, Made.__init__
+
+        def added(
+            self: Builder, number: int, *more: Any, add: Any = add, nodes: list[int] = nodes, **named: Any
+        ) -> None:
+            nodes.append(number)
+            add(self, number, *more, **named)
+
+        def making(self: Made, world: World, node: LineNode, made: Any = made, lines: list[str] = lines) -> None:
+            lines.append(node.text)
+            made(self, world, node)
+
+        with monkeypatch.context() as patch:
+            patch.setattr("deburr.values.ledger._kept", Kept[Any]())
+            patch.setattr("deburr.values.z32.split._graphs", Kept[Any]())
+            patch.setattr(Builder, "add", added)
+            patch.setattr(Made, "__init__", making)
+            lines_made.cache_clear()
+            assert values_of(analysed(_text("z32", many=many), "z32")) is not None
+            assert len(nodes) > 8 * many and len(lines) < len(nodes)
+            nodes.clear()
+            lines.clear()
+            assert values_of(analysed(_text("z32", EDITS["z32"], many), "z32")) is not None
+        assert (nodes, lines) == (list(range(8)), ["N10 X<HB+HA*2>"]), many
 
 
 @pytest.mark.parametrize("dialect", LOOPS)

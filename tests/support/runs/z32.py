@@ -25,7 +25,7 @@ from deburr.values.domain import Value, joined
 from deburr.values.graph import Key
 from deburr.values.z32 import conditions
 from deburr.values.z32.expressions import ALIAS, named
-from deburr.values.z32.fields import fields_of
+from deburr.values.z32.made import fields_of
 from deburr_grammar.document import Document
 from deburr_grammar.tree import Node
 from support.pages import MemoryHost

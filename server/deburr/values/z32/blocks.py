@@ -20,52 +20,63 @@ _ENDS = (2.0, 30.0)
 _KNOWN = frozenset(("word", "g_word", "axis_alias", "nword", "COMMENT", "DELETE", "SEMI", "REST", "TAIL", "text", "section", "config", "PERCENT"))  # fmt: skip
 
 
-class Block:
-    """A block: one of them."""
+def add_block(builder: Builder, at: int, line: Taken) -> None:
+    """Take a block in as a node."""
+    node = line.node
+    expressions, block = builder.made(at).part(0, lambda found: _Block(node.text, node.tree, found))
+    left, behind = builder.leaving(at), builder.behind(at)
+    steps, codes, ends, returns = block.steps, block.codes, block.ends, block.returns
+    to = RETURN if returns else behind
 
-    def __init__(self, builder: Builder, at: int, line: Taken) -> None:
-        self._builder = builder
-        self._at = at
-        self._text = line.node.text
-        self._tree = line.node.tree
-        self._expressions = Expressions(self._text, builder.world)
-        self._steps: list[Callable[[Env], Env]] = []
-        self._ends = self._returns = False
-        self._codes: list[Get] = []
+    def passed(env: Env, calls: Calls) -> Flows:
+        for step in steps:
+            env = step(env)
+        return ((to, env),)
+
+    def executed(env: Env, calls: Calls) -> Flows:
+        values = [get(env) for get in codes]
+        for step in steps:
+            env = step(env)
+        stops = ((STOP, env),) if ends or any(value.has(end) for value in values for end in _ENDS) else ()
+        if ends or any(value.exact and value.low in _ENDS for value in values):
+            return stops
+        return (*stops, *(((RETURN, env),) if returns else left(behind, env)))
+
+    is_plain = not (ends or codes or builder.is_end(at))
+    ways = () if ends else (RETURN,) if returns else builder.exits(at, [behind])
+    condition = block.title if at == 0 and builder.only_called else None
+    sure = is_plain and not steps
+    builder.add(
+        builder.first(at), at, passed if is_plain else executed, expressions, ways, condition=condition, sure=sure
+    )
+
+
+class _Block:
+    """What the words of a block calculate and store."""
+
+    def __init__(self, text: str, tree: Node, expressions: Expressions) -> None:
+        self._text = text
+        self._expressions = expressions
+        self.steps: list[Callable[[Env], Env]] = []
+        self.ends = self.returns = False
+        self.codes: list[Get] = []
         """M codes that are calculated: they may be M2 or M30."""
-
-    def add(self) -> None:
-        """Take the block in as a node."""
-        for part in self._tree.children:
+        self.title: Span | None = None
+        """The columns of the section's name that it starts."""
+        for part in tree.children:
             self._take(part)
-        builder, at, expressions = self._builder, self._at, self._expressions
-        left, behind = builder.leaving(at), builder.behind(at)
-        steps, codes, ends, returns = self._steps, self._codes, self._ends, self._returns
-
-        def executed(env: Env, calls: Calls) -> Flows:
-            values = [get(env) for get in codes]
-            for step in steps:
-                env = step(env)
-            stops = ((STOP, env),) if ends or any(value.has(end) for value in values for end in _ENDS) else ()
-            if ends or any(value.exact and value.low in _ENDS for value in values):
-                return stops
-            return (*stops, *(((RETURN, env),) if returns else left(behind, env)))
-
-        ways = () if ends else (RETURN,) if returns else builder.exits(at, [behind])
-        title = next((part for part in self._tree.children if part.kind == "section"), None)
-        named = title is not None and at == 0 and builder.only_called
-        condition = Span(title.start, title.end) if named and title is not None else None
-        builder.add(builder.first(at), at, executed, expressions, ways, condition=condition)
 
     def _take(self, part: Node | Token) -> None:
         if part.kind not in _KNOWN:
             raise Unread
+        if part.kind == "section" and self.title is None:
+            self.title = Span(part.start, part.end)
         if not isinstance(part, Node):
             return
         if part.kind == "axis_alias":
             self._alias(self._text[part.start : part.end].upper()[-3:])
         elif part.kind == "g_word":
-            self._returns = self._returns or part.children[0].kind == "G26"
+            self.returns = self.returns or part.children[0].kind == "G26"
         elif part.kind == "word":
             self._word(*part.children)
 
@@ -74,13 +85,15 @@ class Block:
             raise Unread
         value = named(axes)
         self._expressions.sets.add(ALIAS)
-        self._steps.append(lambda env: put(env, ALIAS, value))
+        self.steps.append(lambda env: put(env, ALIAS, value))
 
     def _word(self, target: Node | Token, value: Node | Token) -> None:
         expressions = self._expressions
         if self._text[target.start : target.end].upper() == "M":
             literal = constant(self._text, value) if value.kind != "angle" else None
-            self._ends = self._ends or literal in _ENDS
+            self.ends = self.ends or literal in _ENDS
             if literal is None:
-                self._codes.append(expressions.value(value))
-        self._steps.append(expressions.assigned(target, value))
+                self.codes.append(expressions.value(value))
+        step = expressions.assigned(target, value)
+        if expressions.follows(target) or isinstance(value, Node):
+            self.steps.append(step)

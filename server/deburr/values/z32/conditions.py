@@ -5,8 +5,8 @@ Values that are equal in nine digits are equal, so that a bound that is learned 
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from deburr.arithmetic.z32 import CLOSE, COMPARISONS
 from deburr.values import operations as on
@@ -26,17 +26,8 @@ _SMALL = 1e8
 _SAME = on.equal(0.5)
 
 
-class Condition(NamedTuple):
-    """An IF as it is decided: whether it holds with these values (None: either), and the values under which it does or does not (None: it never does)."""
-
-    holds: Callable[[Env], bool | None]
-    learned: Callable[[Env, bool], Env | None]
-    open: Callable[[Env], bool]
-    """Whether one side is not a single number, so that what decides is what was learned of it."""
-
-
-def condition_of(text: str, comparison: Node, expressions: Expressions) -> Condition:
-    """Compile a comparison."""
+def decision(text: str, comparison: Node, expressions: Expressions) -> Callable[[Env], tuple[Env | None, Env | None]]:
+    """Compile a comparison: what finds the values under which it holds, and those under which it does not. None: it never does."""
     left, *signs, right = comparison.children
     relation = "".join(text[sign.start : sign.end] for sign in signs).lower().replace("&lt", "<").replace("&gt", ">")
     one, two = expressions.value(left), expressions.value(right)
@@ -49,20 +40,27 @@ def condition_of(text: str, comparison: Node, expressions: Expressions) -> Condi
         if key is not None
     ]
 
-    def learned(env: Env, holds: bool) -> Env | None:
-        for key, get, other, said in sides:
-            value = get(env)
-            kept = _kept(value, said if holds else _OPPOSITE[said], other(env))
-            if kept.impossible:
-                return None
-            env = env if kept == value else put(env, key, kept)
-        return env
+    def decided(env: Env) -> tuple[Env | None, Env | None]:
+        a, b = one(env), two(env)
+        known = compared(relation, a, b)
+        return (
+            None if known is False else _learned(sides, env, True),
+            None if known is True else _learned(sides, env, False),
+        )
 
-    return Condition(
-        lambda env: compared(relation, one(env), two(env)),
-        learned,
-        lambda env: one(env).low != one(env).high or two(env).low != two(env).high,
-    )
+    return decided
+
+
+def _learned(sides: Sequence[tuple[str, Get, Get, str]], env: Env, holds: bool) -> Env | None:
+    """What is known where a comparison holds, or does not; None: it never does."""
+    for key, get, other, said in sides:
+        value = get(env)
+        kept = _kept(value, said if holds else _OPPOSITE[said], other(env))
+        if kept.impossible:
+            return None
+        if kept is not value and kept != value:
+            env = put(env, key, kept)
+    return env
 
 
 def compared(relation: str, a: Value, b: Value) -> bool | None:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Hashable, Mapping
-from typing import NamedTuple
+from dataclasses import dataclass
+from functools import lru_cache
 
 from deburr.arithmetic import Refusal
 from deburr.arithmetic.z32 import NEAR_INTEGER, constant, function, integer, nearest, operation, shown
@@ -34,11 +35,18 @@ class Unread(Exception):
     """Inside this package: a line, or what stands on it, that the control cannot read."""
 
 
-class World(NamedTuple):
-    """What is the same for all lines of a program: the axis and system parameters that are followed, and the machine's values."""
+@dataclass(frozen=True, eq=False, slots=True)
+class World:
+    """What is the same for all lines of a program: the axis and system parameters that are followed, and the machine's values. One object for the same."""
 
     tracked: frozenset[str]
     machine: Mapping[int, float]
+
+    @staticmethod
+    @lru_cache(maxsize=8)
+    def of(tracked: frozenset[str], machine: tuple[tuple[int, float], ...]) -> World:
+        """The world of these parameters and values."""
+        return World(tracked, dict(machine))
 
 
 class Expressions:
@@ -55,6 +63,14 @@ class Expressions:
         """Whether something may have failed since it was last set to False."""
         self.remarks: list[Proof] = []
         """What is certain and does not stop the control, since it was last emptied."""
+
+    def is_doubtful(self) -> bool:
+        """Whether something may have failed when this was last calculated."""
+        return self.doubtful
+
+    def remark(self) -> Proof | None:
+        """What was certain then and did not stop the control."""
+        return self.remarks[0] if self.remarks else None
 
     def value(self, part: Node | Token) -> Get:
         """What calculates a value."""
@@ -95,24 +111,34 @@ class Expressions:
         store, get, key = self.target(target), self.value(part), self.key(target)
         if key is not None and isinstance(constant(self._text, part), float):
             self.literals.add(key)
+        if not isinstance(target, Node) or target.kind != "vector" or not self._is_pal(target):
+            return lambda env: store(env, get(env))
 
         def stored(env: Env) -> Env:
             value = get(env)
-            self._judge_rounding(target, part, value)
+            self._judge_rounding(part, value)
             return store(env, value)
 
         return stored
 
+    def is_followed(self, name: str) -> bool:
+        """Whether anybody asks what a parameter holds."""
+        return name in self._world.tracked or not is_system(name)
+
+    def follows(self, target: Node | Token) -> bool:
+        """Whether anybody asks what is stored there."""
+        return isinstance(target, Node) or self.is_followed(self.said(target).upper())
+
     def store(self, name: str) -> Put:
         """What stores in a parameter by its name."""
-        if is_system(name) and name not in self._world.tracked:
+        if not self.is_followed(name):
             return lambda env, value: env
         self.sets.add(name)
         return lambda env, value: put(env, name, value)
 
     def read(self, name: str) -> Get:
         """The value of a parameter by its name."""
-        if is_system(name) and name not in self._world.tracked:
+        if not self.is_followed(name):
             return lambda env: ANY
         self.used.add(name)
         return lambda env: env.get(name, ANY)
@@ -121,7 +147,7 @@ class Expressions:
         """The parameter that a part is, if the line alone tells which."""
         if part.kind in ("NAME", "other"):
             name = self.said(part).upper()
-            return name if not is_system(name) or name in self._world.tracked else None
+            return name if self.is_followed(name) else None
         if part.kind == "vector":
             assert isinstance(part, Node)
             at = self._literal(part)
@@ -150,14 +176,20 @@ class Expressions:
         """Terms or factors from left to right."""
         signs = [self._text[sign.start] for sign in part.children[1::2]]
         first, *others = [self.value(child) for child in part.children[::2]]
-        rest = list(zip(signs, others, part.children[2::2]))
+        operations = [_OPERATIONS[sign] for sign in signs]
+        rest = list(zip(operations, [sign == "/" for sign in signs], others, part.children[2::2]))
 
         def found(env: Env) -> Value:
             value = first(env)
-            for sign, get, child in rest:
+            for apply, divides, get, child in rest:
                 other = get(env)
-                value = self._applied(_OPERATIONS[sign], part, child, value, other)
-                if sign == "/" and other.has(0.0) and not value.empty:
+                try:
+                    value = apply(value, other)
+                    if value.wild:
+                        value = self._finite(value)
+                except Refusal as refused:
+                    raise self._refused(refused, part, child) from None
+                if divides and other.has(0.0) and not value.empty:
                     self.doubtful = True
             return value
 
@@ -170,21 +202,24 @@ class Expressions:
         def found(env: Env) -> Value:
             value = get(env)
             self.doubtful = self.doubtful or (may_refuse and not value.exact)
-            return self._applied(apply, part, part, value)
+            try:
+                value = apply(value)
+                return self._finite(value) if value.wild else value
+            except Refusal as refused:
+                raise self._refused(refused, part, part) from None
 
         return found
 
-    def _applied(self, apply: on.Lifted, part: Node, divisor: Node | Token, *values: Value) -> Value:
-        try:
-            value = apply(*values)
-            self.doubtful = self.doubtful or value.wild
-            return on.finite(value)
-        except Refusal as refused:
-            if refused.rule == "divide-by-zero":
-                message = f"`{self.said(divisor)}` is 0 here; the control stops at a division by zero"
-                raise self.proof(refused.rule, divisor, message) from None
-            why = _NO_NUMBER if refused.rule == "not-finite" else refused.why
-            raise self.proof("domain", part, f"`{self.said(part)}` is {why} here; the control stops") from None
+    def _finite(self, value: Value) -> Value:
+        self.doubtful = True
+        return on.finite(value)
+
+    def _refused(self, refused: Refusal, part: Node, divisor: Node | Token) -> Proof:
+        if refused.rule == "divide-by-zero":
+            message = f"`{self.said(divisor)}` is 0 here; the control stops at a division by zero"
+            return self.proof(refused.rule, divisor, message)
+        why = _NO_NUMBER if refused.rule == "not-finite" else refused.why
+        return self.proof("domain", part, f"`{self.said(part)}` is {why} here; the control stops")
 
     def _aliased(self, part: Node | Token) -> Get:
         at = "ABC".index(self.said(part)[1].upper())
@@ -213,9 +248,12 @@ class Expressions:
         return stored
 
     def _element(self, vector: Node) -> Get:
-        is_pal, index = self._is_pal(vector), self.index(vector)
-        at = self._literal(vector)
+        is_pal, at = self._is_pal(vector), self._literal(vector)
         self.used.add(None if at is None else self._name(vector, at))
+        if at is not None and not (is_pal and at >= MACHINE):
+            name, any_ = self._name(vector, at), INTEGERS if is_pal else ANY
+            return lambda env: env.get(name, any_)
+        index = self.index(vector)
 
         def found(env: Env) -> Value:
             value = index(env)
@@ -240,10 +278,13 @@ class Expressions:
         return env.get(self._name(vector, at), INTEGERS)
 
     def _store_element(self, vector: Node) -> Put:
-        is_pal, index = self._is_pal(vector), self.index(vector)
-        names: list[Hashable] = list(_PAL if is_pal else _PAR)
-        literal = self._literal(vector)
+        is_pal, literal = self._is_pal(vector), self._literal(vector)
         self.sets.add(None if literal is None else self._name(vector, literal))
+        if literal is not None and not (is_pal and literal >= MACHINE):
+            name = self._name(vector, literal)
+            return lambda env, value: put(env, name, _ROUNDED(value) if is_pal else value)
+        index = self.index(vector)
+        names: list[Hashable] = list(_PAL if is_pal else _PAR)
 
         def stored(env: Env, value: Value) -> Env:
             at = index(env)
@@ -269,9 +310,9 @@ class Expressions:
             raise self.proof("pal-read-only", vector, message)
         self.doubtful = self.doubtful or at.high > MACHINE - 0.5
 
-    def _judge_rounding(self, target: Node | Token, part: Node | Token, value: Value) -> None:
+    def _judge_rounding(self, part: Node | Token, value: Value) -> None:
         """Remark that a value with decimals is stored in PAL, which keeps integers."""
-        if not isinstance(target, Node) or target.kind != "vector" or not self._is_pal(target) or value.empty:
+        if value.empty:
             return
         if value.exact and not value.low.is_integer():
             message = f"`{self.said(part)}` is {shown(value.low)} here; PAL holds integers, so {shown(nearest(value.low))} is stored, PAR keeps decimals"
@@ -326,10 +367,9 @@ class Expressions:
 
 def put(env: Env, name: str, value: Value) -> Env:
     """The values with another one for a parameter."""
-    found = {**env, name: value}
-    if value == ANY:
-        del found[name]
-    return found
+    if value != ANY:
+        return {**env, name: value}
+    return {key: old for key, old in env.items() if key != name} if name in env else env
 
 
 def axes_of(env: Env) -> str:

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, TypeVar
 
 from deburr.arithmetic.z32 import constant, integer, shown, to_cartesian, to_polar
 from deburr.finding import Severity
 from deburr.values import operations as on
 from deburr.values.domain import Value, between, exactly
 from deburr.values.graph import Calls, Dead, Env, Flows
-from deburr.values.z32.conditions import condition_of
+from deburr.values.z32.conditions import decision
 from deburr.values.z32.expressions import Expressions, Unread, put
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
@@ -19,24 +19,12 @@ from deburr_grammar.tree import Node, Token
 if TYPE_CHECKING:
     from deburr.values.z32.flow import Builder, Site
     from deburr.values.z32.lines import Taken
-    from deburr_grammar.line import LineNode
 
+T = TypeVar("T")
 _PLAIN = frozenset(("NUMBER", "NAME", "other", "vector", "unary"))
 """Sides of a condition that calculate nothing: what they ask for is not whether something comes out even."""
 _SKEWED = 1 + 1e-12
 """What a radius may be off by."""
-
-
-def fields_of(node: LineNode) -> list[list[Node]]:
-    """The fields of an advanced line between `!` and `!`; none of a block."""
-    found: list[list[Node]] = []
-    line = next(node.find("advanced"), None) if "advanced" in node.kinds else None
-    for part in line.children if line is not None else ():
-        if isinstance(part, Node):
-            found[-1].append(part)
-        elif part.kind == "BANG":
-            found.append([])
-    return [fields for fields in found if fields]
 
 
 class Fields:
@@ -47,7 +35,8 @@ class Fields:
         self._at = at
         self._line = line
         self._text = line.node.text
-        self._groups = fields_of(line.node)
+        self._made = builder.made(at)
+        self._groups = self._made.groups
         self._behind = builder.behind(at)
         self._left = builder.leaving(at)
         self._conditions: list[tuple[int, Node]] = []
@@ -58,7 +47,7 @@ class Fields:
         number = self._builder.first(self._at)
         if not self._groups:
             self._going_on(number, Expressions(self._text, self._builder.world), None)
-        last = number + sum(map(len, self._groups))
+        last = number + self._made.fields
         for fields in self._groups:
             over = number + len(fields)
             self._conditions = []
@@ -68,22 +57,32 @@ class Fields:
                 number += 1
 
     def _field(self, field: Node, number: int, following: int | None, over: int | None) -> None:
-        expressions = Expressions(self._text, self._builder.world)
         match field.kind:
             case "if":
-                self._decide(field, number, expressions, following, over)
+                self._decide(field, number, following, over)
             case "assign":
-                self._assign(field, number, expressions, following)
+                self._assign(field, number, following)
             case "jump":
-                self._jump(field, number, expressions)
+                self._jump(field, number, self._expressions())
             case "call" | "file_call":
-                self._call(field, number, expressions)
+                self._call(field, number, self._expressions())
             case "polar":
-                self._polar(field, number, expressions, following)
+                self._polar(field, number, self._expressions(), following)
             case "stop":
-                self._going_on(number, expressions, None)
+                self._going_on(number, self._expressions(), None)
             case _:
                 raise Unread
+
+    def _expressions(self) -> Expressions:
+        return Expressions(self._text, self._builder.world)
+
+    def _part(self, number: int, make: Callable[[Expressions], T]) -> tuple[Expressions, T]:
+        """What is made of a field, which is the same wherever a line says the same."""
+        return self._made.part(number - self._builder.first(self._at), make)
+
+    def _place(self, to: int | None) -> int | None:
+        """The node where a way goes on; None where that hangs on the returns that wait."""
+        return to if to is not None else None if self._builder.is_end(self._at) else self._behind
 
     def _flows(self, env: Env, to: int | None) -> Flows:
         """On to another field of the line, or out of it."""
@@ -94,23 +93,21 @@ class Fields:
         return out | {each for each in to if each is not None}
 
     def _going_on(self, number: int, expressions: Expressions, to: int | None) -> None:
-        self._builder.add(number, self._at, lambda env, calls: self._flows(env, to), expressions, self._ways(to))
+        ways = self._ways(to)
+        self._builder.add(number, self._at, lambda env, calls: self._flows(env, to), expressions, ways, sure=True)
 
-    def _decide(
-        self, field: Node, number: int, expressions: Expressions, then: int | None, otherwise: int | None
-    ) -> None:
+    def _decide(self, field: Node, number: int, then: int | None, otherwise: int | None) -> None:
         comparison = field.children[1]
         assert isinstance(comparison, Node)
-        condition = condition_of(self._text, comparison, expressions)
+        expressions, decide = self._part(number, lambda found: decision(self._text, comparison, found))
         self._conditions.append((number, field))
+        places = self._place(then), self._place(otherwise)
 
         def decided(env: Env, calls: Calls) -> Flows:
-            known = condition.holds(env)
             flows: list[tuple[int, Env]] = []
-            for to, holds in ((then, True), (otherwise, False)):
-                learned = condition.learned(env, holds) if known in (None, holds) else None
+            for to, learned in zip(places, decide(env)):
                 if learned is not None:
-                    flows += self._flows(learned, to)
+                    flows += self._flows(learned, None) if to is None else ((to, learned),)
             return flows
 
         span, ways = Span(comparison.start, comparison.end), self._ways(then, otherwise)
@@ -149,10 +146,16 @@ class Fields:
         value = constant(self._text, part)
         return self._builder.targets(self._at, value, part.kind == "angle") if isinstance(value, float) else ()
 
-    def _assign(self, field: Node, number: int, expressions: Expressions, to: int | None) -> None:
-        put_in = expressions.assigned(field.children[0], field.children[2])
-        ways = self._ways(to)
-        self._builder.add(number, self._at, lambda env, calls: self._flows(put_in(env), to), expressions, ways)
+    def _assign(self, field: Node, number: int, to: int | None) -> None:
+        target, value = field.children[0], field.children[2]
+        expressions, put_in = self._part(number, lambda found: found.assigned(target, value))
+        ways, place = self._ways(to), self._place(to)
+
+        def assigned(env: Env, calls: Calls) -> Flows:
+            return ((place, put_in(env)),) if place is not None else self._flows(put_in(env), None)
+
+        sure = isinstance(target, Token) and isinstance(value, Token)
+        self._builder.add(number, self._at, assigned, expressions, ways, sure=sure)
 
     def _jump(self, field: Node, number: int, expressions: Expressions) -> None:
         part, builder = field.children[1], self._builder
@@ -225,9 +228,9 @@ class Fields:
         def called(env: Env, calls: Calls) -> Flows:
             if number_of is not None:
                 self._judge_number(part, number_of(env), expressions)
-            expressions.doubtful = True
             shared: Env = {key: value for key, value in env.items() if isinstance(key, str)}
             found = calls.call(name, {}, shared)
+            expressions.doubtful = True
             if found is None:
                 return self._flows({key: value for key, value in env.items() if not isinstance(key, str)}, None)
             if found.env is None:

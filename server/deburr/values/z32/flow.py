@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, NamedTuple
 from deburr.arithmetic.z32 import NEAR_INTEGER, constant
 from deburr.steps import FEW, paced
 from deburr.values.domain import ANY, UNSET, exactly
-from deburr.values.graph import RETURN, Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof
-from deburr.values.z32.blocks import Block
+from deburr.values.graph import RETURN, Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof, silent
+from deburr.values.z32.blocks import add_block
 from deburr.values.z32.expressions import Expressions, Unread, World
-from deburr.values.z32.fields import Fields, fields_of
+from deburr.values.z32.fields import Fields
 from deburr.values.z32.lines import Taken
+from deburr.values.z32.made import Made, made
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node as Part
 from deburr_grammar.tree import Token
@@ -61,6 +62,7 @@ class Builder:
         self.called = called
         self.only_called = only_called
         self.callees: set[str] = set()
+        self._made = [made(world, line.node) for line in lines]
         self._backs: list[Loop] = []
         self._nodes: dict[int, Node] = {}
         self._ways: dict[int, set[int]] = {}
@@ -108,6 +110,10 @@ class Builder:
     def first(self, at: int) -> int:
         """The first node of a line."""
         return self._first[at]
+
+    def made(self, at: int) -> Made:
+        """What is made of a line's text."""
+        return self._made[at]
 
     def targets(self, at: int, value: float, near: bool) -> Sequence[int]:
         """The lines of a block number, as a jump on a line finds them. Sections have numbers of their own."""
@@ -159,7 +165,7 @@ class Builder:
 
     def exits(self, at: int, to: Iterable[int]) -> set[int]:
         """All nodes to which ways may lead that leave a line for others."""
-        return {*to, *(site.returns for site in self._ends.get(at, ()))}
+        return {*to, *(site.returns for site in self._ends[at])} if at in self._ends else set(to)
 
     def add(
         self,
@@ -173,33 +179,28 @@ class Builder:
         callee: str | None = None,
         calls: bool = False,
         dead: tuple[Dead, ...] = (),
+        sure: bool = False,
     ) -> None:
-        """Take a node in. ``ways``: all nodes that may come next."""
+        """Take a node in. ``ways``: all nodes that may come next. ``sure``: nothing can go wrong in it."""
         part, remarks = number - self._first[at], expressions.remarks
         if part == 0 and "DELETE" in self.lines[at].node.kinds and self.delete is not False:
             flow, ways, dead = self._optional(at, flow, expressions), {*ways, *self.exits(at, [self.behind(at)])}, ()
+            sure = False
 
         def flowing(env: Env, calls: Calls) -> Flows:
             expressions.doubtful = False
             remarks.clear()
             return flow(env, calls)
 
-        self._used |= expressions.used
-        self._sets.update(expressions.sets)
-        self._literals.update(expressions.literals & expressions.sets)
+        used, sets = frozenset(expressions.used), frozenset(expressions.sets)
+        self._used |= used
+        for key in sets:
+            self._sets[key] += 1
+            self._literals[key] += key in expressions.literals
         self._ways[number] = set(ways)
+        doubtful, remark = (bool, silent) if sure else (expressions.is_doubtful, expressions.remark)
         self._nodes[number] = Node(
-            at,
-            flowing,
-            frozenset(expressions.used),
-            frozenset(expressions.sets),
-            condition,
-            lambda: expressions.doubtful,
-            callee,
-            calls,
-            lambda: remarks[0] if remarks else None,
-            dead,
-            part,
+            at, flow if sure else flowing, used, sets, condition, doubtful, callee, calls, remark, dead, part
         )
 
     def back(self, number: int, to: int, test: int, span: Span) -> None:
@@ -245,18 +246,13 @@ class Builder:
                 continue
             at, line = each
             self._first.append(number)
-            ranges = len(list(line.node.find("range_end"))) if "range_end" in line.node.kinds else 0
-            number += max(1, sum(map(len, fields_of(line.node)))) + ranges
+            number += max(1, self._made[at].fields) + len(self._made[at].ranges)
             if line.label is not None:
                 self._labels.setdefault(line.label, []).append(at)
         self._sorted = sorted(self._labels)
         for at, line in enumerate(self.lines):
-            if "range_end" in line.node.kinds:
-                free = self._first[at] + sum(map(len, fields_of(line.node)))
-                for number, jump in enumerate(
-                    (each for each in line.node.find("jump") if each.node("range_end")), free
-                ):
-                    self._place_range(at, line, jump, number)
+            for number, jump in enumerate(self._made[at].ranges, self._first[at] + self._made[at].fields):
+                self._place_range(at, line, jump, number)
         if any(at in self._ends for at, _ in self._sites):
             raise Torn
 
@@ -287,7 +283,7 @@ class Builder:
             if "advanced" in line.node.kinds:
                 Fields(self, at, line).add()
             else:
-                Block(self, at, line).add()
+                add_block(self, at, line)
         except Unread:
             self._unread(at, line)
 

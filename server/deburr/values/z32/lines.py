@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Mapping, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.arithmetic.z32 import constant
-from deburr.values.kept import line_of
+from deburr.values.kept import LINES, line_of
 from deburr_grammar.dialects.z32.forms import NUMBERED, number, section_number
 from deburr_grammar.tree import Node, Token, walk
 
@@ -27,12 +28,14 @@ _LINES, _VALUES, _ALIAS_READ, _COMPUTED = "lines that take part", "parameters", 
 
 
 class Taken(NamedTuple):
-    """A line that takes part: its row, its block number, and the number of the section that it starts."""
+    """A line that takes part: its row, its block number, the number of the section that it starts, whether it starts any, and the calls in it."""
 
     row: int
     node: LineNode
     label: float | None
     section: int | None
+    titled: bool
+    calls: Sequence[Node]
 
 
 class Marks(NamedTuple):
@@ -64,7 +67,7 @@ def taken(document: Document, tracked: frozenset[str], marks: Marks) -> Generato
     found: list[Taken] = []
     for piece in document.pieces():
         lines = _of_piece(document, piece, tracked, marks)
-        found += [Taken(line.row + piece.line, *line[1:]) for line in lines] if piece.line else lines
+        found += lines
         if len(found) > _MOST:
             return None
         yield
@@ -80,19 +83,41 @@ def _of_piece(document: Document, piece: Piece, tracked: frozenset[str], marks: 
     labels = _labels(document, piece)
     wanted = frozenset(labels) if marks.computed else marks.targets.intersection(labels)
     key = ("z32 lines that take part", document.key(piece), tracked, wanted)
-    found: list[Taken] | None = piece.chunk.memo.get(key)
-    if found is None:
+    known: tuple[int, list[Taken]] | None = piece.chunk.memo.get(key)
+    if known is None:
         rows = set(_rows(piece, tracked)) | {at for value in wanted for at in labels[value]}
-        found = piece.chunk.memo[key] = [_taken(piece, at) for at in sorted(rows)]
+        known = 0, [_taken(piece, at) for at in sorted(rows)]
+    first, found = known
+    if first != piece.line:
+        found = [line._replace(row=line.row + piece.line - first) for line in found]
+    piece.chunk.memo[key] = piece.line, found
     return found
 
 
 def _taken(piece: Piece, at: int) -> Taken:
     node = line_of(piece, at)
-    match = NUMBERED.match(node.text) if "nword" in node.kinds else None
-    label = number(match[2]) if match else None
-    section = section_number(node.text) if "section" in node.kinds else None
-    return Taken(at, node, label, section)
+    return Taken(at, node, *_facts(node))
+
+
+@lru_cache(maxsize=LINES)
+def _facts(node: LineNode) -> tuple[float | None, int | None, bool, Sequence[Node]]:
+    kinds = node.kinds
+    match = NUMBERED.match(node.text) if "nword" in kinds else None
+    titled = "section" in kinds
+    section = section_number(node.text) if titled else None
+    return number(match[2]) if match else None, section, titled, tuple(node.find("call", "file_call"))
+
+
+@lru_cache(maxsize=LINES)
+def _jumps(node: LineNode) -> frozenset[object]:
+    """The block numbers that the jumps of a line name, and whether one is computed."""
+    found: set[object] = set()
+    for jump in node.find("jump"):
+        end = jump.node("range_end")
+        for part in (jump.children[1], *(end.children[1:] if end is not None else ())):
+            value = constant(node.text, part)
+            found.add(value if isinstance(value, float) else _COMPUTED)
+    return frozenset(found)
 
 
 def _labels(document: Document, piece: Piece) -> Mapping[float, list[int]]:
@@ -115,17 +140,21 @@ def _marks(piece: Piece) -> frozenset[object]:
             found |= _said(shape, reading)
     if _VALUES in found:
         for at, _, _ in piece.where(lambda reading, shape: _is_read(reading) and "jump" in shape.facts(reading).kinds):
-            node = line_of(piece, at)
-            for jump in node.find("jump"):
-                end = jump.node("range_end")
-                for part in (jump.children[1], *(end.children[1:] if end is not None else ())):
-                    value = constant(node.text, part)
-                    found.add(value if isinstance(value, float) else _COMPUTED)
+            found |= _jumps(line_of(piece, at))
     return frozenset(found)
 
 
-def _said(shape: Shape, reading: Reading) -> set[object]:
+def _said(shape: Shape, reading: Reading) -> frozenset[object]:
     """What lines of a shape say: whether they calculate, and which parameters they read."""
+    key = ("z32 parameters said", reading.name)
+    found = shape.memo.get(key)
+    if found is None:
+        found = shape.memo[key] = frozenset(_saying(shape, reading))
+    assert isinstance(found, frozenset)
+    return found
+
+
+def _saying(shape: Shape, reading: Reading) -> set[object]:
     kinds = shape.facts(reading).kinds
     found: set[object] = {_VALUES} if not _CALCULATED.isdisjoint(kinds) else set()
     targets = set(_targets(shape, reading))

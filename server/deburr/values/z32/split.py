@@ -44,7 +44,7 @@ class _Split:
     def __init__(self, analysis: Analysis, files: Files, tracked: frozenset[str]) -> None:
         self._analysis = analysis
         self._files = files
-        self._world = World(tracked, _machine(analysis))
+        self._world = World.of(tracked, _machine(analysis))
         self._lines: dict[str, list[Taken]] = {}
         self._starts: dict[str, list[int]] = {}
         self._waiting: list[tuple[str, Target]] = []
@@ -82,10 +82,9 @@ class _Split:
 
     def _graph(self, file: File, lines: Sequence[Taken]) -> Generator[None, None, Graph]:
         delete = self._analysis.inputs.block_delete
-        callees = tuple(self._called(file, line, call) for line in lines for call in _calls(line))
-        machine = tuple(sorted(self._world.machine.items()))
+        callees = tuple(self._called(file, line, call) for line in lines for call in line.calls)
         only_called = self._only_called and file is self._files.main
-        key = (only_called, delete, machine, self._world.tracked, callees, tuple(line.node.text for line in lines))
+        key = (only_called, delete, self._world, callees, tuple([line.node.text for line in lines]))
         found = _graphs.get(key)
         if found is None:
             builder = Builder(
@@ -112,7 +111,7 @@ class _Split:
         if section is None:
             return lines
         if file.path not in self._starts:
-            self._starts[file.path] = [at for at, line in enumerate(lines) if "section" in line.node.kinds]
+            self._starts[file.path] = [at for at, line in enumerate(lines) if line.titled]
         starts = self._starts[file.path]
         found = next(number for number, at in enumerate(starts) if lines[at].section == section)
         return lines[starts[found] : starts[found + 1] if found + 1 < len(starts) else None]
@@ -126,20 +125,16 @@ class _Split:
         return self._lines[file.path]
 
 
-def _calls(line: Taken) -> Iterator[Part]:
-    kinds = line.node.kinds
-    return line.node.find("call", "file_call") if "call" in kinds or "file_call" in kinds else iter(())
-
-
-def _machine(analysis: Analysis) -> Mapping[int, float]:
+def _machine(analysis: Analysis) -> tuple[tuple[int, float], ...]:
     """The machine's values that are configured and not given otherwise for this run."""
     given = {said.replace(" ", "").upper() for said in analysis.inputs.define}
-    return {int(at): float(value) for at, value in analysis.settings["pal"].items() if f"PAL[{int(at)}]" not in given}
+    known = {int(at): float(value) for at, value in analysis.settings["pal"].items() if f"PAL[{int(at)}]" not in given}
+    return tuple(sorted(known.items()))
 
 
 def _main_part(lines: list[Taken], marks: Marks) -> Sequence[Taken]:
     """The lines before the first section, if that is all that is run without a call; else the whole file."""
-    first = next((at for at, line in enumerate(lines) if "section" in line.node.kinds), None)
+    first = next((at for at, line in enumerate(lines) if line.titled), None)
     if not first:
         return lines
     part = lines[:first]
