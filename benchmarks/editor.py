@@ -22,6 +22,8 @@ OURS, STOCK, UNPROVEN = "deburr", "benchmarks.stock", "benchmarks.unproven"
 ASKED = ("hover", "completion", "definition")
 PAUSE = 0.05
 """Seconds between keystrokes: someone types, so the check of the whole program has begun again at the next one."""
+_REST = 0.2
+"""A server that does nearly nothing for so many seconds has nothing to do."""
 _ENDLESS = "G21 G90\n#1=0\no1 while [#1 LT 100000000]\n#1=[#1+1]\no1 endwhile\nG0 X1\nM2\n"
 _ROOT = Path(__file__).parents[1]
 _NAME = re.compile(r"#<(\w+)>|o<(\w+)>|#([0-9]+)|([A-Z])[-0-9]")
@@ -101,6 +103,7 @@ def times(module: str, path: str, places: int, *, requests: bool = True) -> Time
         if module != STOCK:
             # What comes first is what the program says as it stands; its values and its run follow.
             client.request("textDocument/diagnostic", {"textDocument": {"uri": uri}})
+            _rested(client)
         random = Random(SEED)
         asked = {method: _asked(client, uri, lines, method, random, places) for method in ASKED} if requests else {}
         typed = [_typed(client, uri, lines, random) for _ in range(places)]
@@ -123,6 +126,15 @@ def previewing(places: int) -> tuple[Taken, Taken]:
         beside = [_typed(client, uri, lines, random) for _ in range(places)]
         client.notify("$/cancelRequest", {"id": number})
         return middle(alone), middle(beside)
+
+
+def _rested(client: Client) -> None:
+    """Wait until a server has nothing more to do: what it does beside its answers would be counted with them."""
+    while True:
+        clock = Clock(client)
+        sleep(_REST)
+        if sys.platform != "linux" or clock.taken().spent < _REST / 10:
+            return
 
 
 def _typed(client: Client, uri: str, lines: Sequence[str], random: Random) -> Taken:

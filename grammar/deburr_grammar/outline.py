@@ -17,8 +17,8 @@ from deburr_grammar.line import LineNode, Shape
 from deburr_grammar.structure import EVEN, NOTHING, Balance, Reduction, balance, reduction
 from deburr_grammar.text import with_newlines
 
-_KEPT = 32
-"""States for which a node keeps its answer; a node that met more forgets all."""
+_KEPT = 64
+"""So many answers are kept with a node; of more, those that are the oldest are forgotten."""
 
 
 class Before(NamedTuple):
@@ -103,8 +103,9 @@ class Outliner:
 
     def keep(self, node: Branch | Chunk, key: Hashable, value: object) -> None:
         """Keep an answer with the node that it is derived from."""
-        if len(node.memo) >= _KEPT:
-            node.memo.clear()
+        # One check and the questions about a program leave some forty answers; whichever is left out, the others stay.
+        while len(node.memo) >= _KEPT:
+            del node.memo[next(iter(node.memo))]
         node.memo[key] = value
 
     def _found(self, node: Branch | Chunk, before: Before) -> Summed | Outlined:

@@ -8,6 +8,7 @@ from deburr_grammar import Document, Edit, Pos
 from deburr_grammar.chunk import FANOUT, Branch, Chunk, chunk_at, grown
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.dialects import by_name
+from deburr_grammar.document import Piece
 from support import naive
 from support.equality import TALLY, answers
 
@@ -282,3 +283,20 @@ def test_a_bracket_that_is_not_there_has_no_partner() -> None:
     (line, bracket), *_ = parsed("o1 if [1]\n").brackets()
     with pytest.raises(ValueError):
         parsed("G0\n").partner(line, Bracket(Role.OPEN, "if", "if", "1", bracket.span))
+
+
+def test_one_answer_too_many_costs_no_other() -> None:
+    document = parsed("G0 X1\n" * 100, 60)
+    asked: list[int] = []
+
+    def lines(piece: Piece) -> frozenset[int]:
+        asked.append(piece.line)
+        return frozenset((piece.lines,))
+
+    for key in range(300):
+        document.gathered(key, lines)
+    asked.clear()
+    for key in range(260, 300):
+        document.gathered(key, lines)
+    assert not asked
+    assert max(len(chunk.memo) for chunk in document.chunks()) < 100

@@ -15,7 +15,7 @@ from deburr.lsp.report import _Report
 from deburr.ruleset import RuleSet
 from deburr.steps import let_go
 from deburr.symbols import Mention, Sort, Symbol, index
-from deburr.symbols.index import at, led_to, mentions_of
+from deburr.symbols.index import at, first_symbols, led_to, mentions_of
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document, Piece
 from deburr_grammar.text import Edit, Pos
@@ -96,6 +96,87 @@ def test_a_local_name_is_looked_for_only_where_its_region_is(monkeypatch: pytest
     found = mentions_of(document, name.mention.symbol, name.region)
     assert [each.line for each in found] == [head + 1, head + 2, head + 3]
     assert 1 <= len(parsed) <= 2
+
+
+@pytest.fixture
+def read(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """How many lines were read for their names, a stretch at a time."""
+    found, plain = list[int](), index._Index._mentions
+
+    def mentions(own: index._Index, piece: Piece) -> Iterator[tuple[int, Mention]]:
+        found.append(piece.chunk.eols)
+        return plain(own, piece)
+
+    monkeypatch.setattr(index._Index, "_mentions", mentions)
+    return found
+
+
+def asked(inside: Inside, method: str, line: int, col: int) -> Any:
+    place = {"line": line, "character": col}
+    return inside.request(f"textDocument/{method}", {"textDocument": {"uri": URI}, "position": place})
+
+
+def library(parts: int = 400) -> list[str]:
+    """Subprograms that set a shared name as well, and a program that calls them and has names of its own."""
+    subs = [
+        f"o<part{part}> sub\n#<depth> = 5\n#1 = #<depth>\n#<_shared> = {part}\nG0 X#1 Z#<_shared>\no<part{part}> endsub"
+        for part in range(parts)
+    ]
+    return "\n".join([*subs, "#<own> = 1", "G0 X#<own>", "o<part7> call", "M2", ""]).split("\n")
+
+
+def test_before_a_program_has_been_read_a_question_reads_little_of_it(read: list[int]) -> None:
+    lines = library(1_500)
+    head = lines.index("o<part200> sub")
+    with Inside(PUSHES) as inside:
+        inside.open(URI, "\n".join(lines), "rs274")
+        local = asked(inside, "hover", head + 2, 6)["contents"]["value"]
+        assert "value here: **5** (line" in local and f"read in line {head + 3}" in local
+        shared = asked(inside, "hover", head + 3, 4)["contents"]["value"]
+        assert "is known when the program has been read" in shared
+        offered = {each["label"] for each in asked(inside, "completion", head + 2, 6)["items"]}
+        assert "#<depth>" in offered and "#<own>" not in offered
+        asked(inside, "completion", len(lines) - 4, 5)
+        assert 0 < sum(read) <= 4 * max(read) < len(lines) / 2
+
+
+def test_when_a_program_has_been_read_no_question_reads_more_than_was_edited(read: list[int]) -> None:
+    lines = library()
+    own = lines.index("G0 X#<own>")
+    with Inside(PUSHES) as inside:
+        inside.open(URI, "\n".join(lines), "rs274")
+        inside.settle()
+        assert sum(read) == len(lines) - 1
+        read.clear()
+        for line, col in ((2, 6), (3, 4), (own, 7)):
+            for method in ("hover", "completion", "definition"):
+                asked(inside, method, line, col)
+        assert read == []
+        said = asked(inside, "hover", 3, 4)["contents"]["value"]
+        assert "set in line 4, line 10, line 16 and over 1" in said or "set in line 4, line 10, line 16 and " in said
+        names = {each["label"] for each in asked(inside, "completion", own, 7)["items"]}
+        assert {"#<own>", "#<_shared>"} <= names and "#<depth>" not in names
+        typed(inside, own, " ")
+        asked(inside, "completion", own, 8)
+        assert len(read) == 1
+
+
+def test_of_many_names_those_are_looked_for_that_begin_as_is_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = "".join(
+        f"o<{sort}_{part}> sub\nG0 X1 (a comment)\no<{sort}_{part}> endsub\n" for sort in "abc" for part in range(300)
+    )
+    document, looked = Document.parse(text, by_name("rs274"), 500), list[int]()
+    first = [each.name for each in first_symbols(document, Sort.SUB, "o<b_29", 250)]
+    assert first == ["b_29", *(f"b_29{digit}" for digit in range(10))]
+    plain = index._Index._spelled
+
+    def spelled(own: index._Index, piece: Piece, *more: Any) -> Any:
+        looked.append(piece.line)
+        return plain(own, piece, *more)
+
+    monkeypatch.setattr(index._Index, "_spelled", spelled)
+    assert [each.name for each in first_symbols(document, Sort.SUB, "c_111", 250)] == ["c_111"]
+    assert 0 < len(looked) <= 8 < len(list(document.chunks())) / 8
 
 
 class _Thing:

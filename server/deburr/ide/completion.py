@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.ide.hover import described, rows
 from deburr.ide.related import related
-from deburr.symbols import Act, Language, Offer, Sort, entry_of, language_of
+from deburr.symbols import Act, Language, Offer, Sort, Symbol, entry_of, language_of
 from deburr.symbols.constants import constants_of
-from deburr.symbols.index import all_symbols, at, first_symbols, mentions_of, on_line, region
+from deburr.symbols.index import all_symbols, at, first_symbols, locals_of, mentions_of, on_line, region
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
@@ -107,7 +107,7 @@ def _ends(view: View, pos: Pos, language: Language, span: Span) -> Iterator[Item
 def _entries(view: View, pos: Pos, language: Language, offer: str, span: Span) -> Iterator[Item]:
     """The names of a table, without what the line or the program can have once only."""
     table, _, name = offer.partition("/")
-    taken = _taken(view, pos, span)
+    taken = _sections(view, pos) if table == "section" else _taken(view, pos, span)
     for entry in view.dialect.codes.table(table):
         once = entry.name if table == "section" else entry.more.get("group") if table == "code" else None
         if name in ("", entry.name) and once not in taken and entry.name[:1].isalnum() | (table == "variable"):
@@ -116,38 +116,53 @@ def _entries(view: View, pos: Pos, language: Language, offer: str, span: Span) -
 
 
 def _taken(view: View, pos: Pos, span: Span) -> set[str]:
-    """The modal groups of the other codes on a line, and the sections of the program."""
+    """The modal groups of the other codes on a line."""
     codes = view.dialect.codes
     said = (
         each
         for each in on_line(view.document, pos.line)
         if each.symbol.sort is Sort.CODE and each.span.start != span.start
     )
-    found = {entry.more.get("group", "") for each in said if (entry := entry_of(each.symbol, codes)) is not None}
-    for symbol in all_symbols(view.document, Sort.SECTION):
-        placed = mentions_of(view.document, symbol)
-        found |= {symbol.name for each in placed if each.mention.act is Act.DEFINE and each.line != pos.line}
+    return {entry.more.get("group", "") for each in said if (entry := entry_of(each.symbol, codes)) is not None}
+
+
+def _sections(view: View, pos: Pos) -> set[str]:
+    """The sections that the program has on other lines."""
+    found = set[str]()
+    for symbol in all_symbols(view.document, Sort.SECTION) if view.is_read else ():
+        placed = mentions_of(view.document, symbol, act=Act.DEFINE)
+        found |= {symbol.name for each in placed if each.line != pos.line}
     return found
 
 
 def _symbols(view: View, pos: Pos, language: Language, sort: Sort, span: Span) -> Iterator[Item]:
     """The names of a sort that mean something here: local ones of this region, others of all programs that belong together."""
-    own = region(view.document, pos.line)
+    begun = view.document.line(pos.line)[slice(*span)]
+    where = region(view.document, pos.line)
+    own = locals_of(view.document, where) if view.is_read or where is not None else {}
     # What is being written is a name already, but one that nothing else names is not worth offering.
     placed = at(view.document, pos.line, pos.col)
     written = placed.mention.symbol if placed is not None else None
+    mine = [each for each in own if each.sort is sort]
+    if not view.is_read:
+        # Others are offered when all of the program has been read.
+        yield from (Item(language.written(each), sort.value, "", span) for each in sorted(mine) if each.name)
+        return
     for each in related(view):
-        for symbol in first_symbols(each.document, sort, view.document.line(pos.line)[slice(*span)], MOST):
-            if symbol == written and len(list(islice(mentions_of(each.document, symbol, own), 2))) < 2:
+        for symbol in first_symbols(each.document, sort, begun, MOST, mine if each is view else ()):
+            if not symbol.name or (sort in (Sort.LABEL, Sort.SECTION) and each is not view):
                 continue
-            if symbol.sort is not sort or not symbol.name or (symbol.local and each is not view):
-                continue
-            if symbol.local and next(mentions_of(each.document, symbol, own), None) is None:
-                continue
-            if sort in (Sort.LABEL, Sort.SECTION) and each is not view:
+            if symbol == written and _once(each, symbol, own):
                 continue
             text = symbol.name if sort in _BARE else language.written(symbol)
             yield Item(text, sort.value, "" if each is view else each.file.rpartition("/")[2], span)
+
+
+def _once(view: View, symbol: Symbol, own: Mapping[Symbol, int]) -> bool:
+    """Whether no two places name a symbol; ``own``: how often local ones are named."""
+    if symbol.local:
+        return own.get(symbol, 0) < 2
+    return len(list(islice(mentions_of(view.document, symbol), 2))) < 2
 
 
 def _entry(entry: Entry, language: Language, span: Span) -> Item:

@@ -8,7 +8,7 @@ from itertools import islice
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr.ide.definition import file_of
-from deburr.ide.known import held, known, proven
+from deburr.ide.known import held, is_seen, known, proven
 from deburr.ide.related import uses
 from deburr.symbols import Act, Sort, entry_of, language_of
 from deburr.symbols.constants import constants_of, count
@@ -24,6 +24,7 @@ _LISTED = 3
 _MOST = 500
 """So many uses are looked at: to count all would take longer the longer a program is."""
 _LONGEST = 60
+_LATER = "where it is used is known when the program has been read"
 _USED = (Sort.VARIABLE, Sort.WORD, Sort.SUB, Sort.LABEL, Sort.SECTION)
 _HOLDING = (Sort.VARIABLE, Sort.WORD)
 _FACTS = {"unit": "unit", "type": "type", "kind": "kind", "argument": "argument", "result": "result"}
@@ -86,16 +87,18 @@ def _parts(view: View, placed: Placed) -> Iterator[str]:
         yield rows(entry)
     else:
         yield scope
-    yield from language.notes(view.document, placed.line, mention)
+    if view.is_read:
+        yield from language.notes(view.document, placed.line, mention)
     if symbol.sort is Sort.KEYWORD:
         yield from _lengths(view, placed)
     if file := file_of(view, symbol):
         yield f"file `{file.removeprefix(view.file.rpartition('/')[0] + '/')}`"
     if symbol.sort in _USED and not mention.passing:
-        found = _found(view, placed)
+        seen = is_seen(view, placed)
+        found = _found(view, placed) if seen else {}
         if symbol.sort in _HOLDING:
-            yield _value(view, placed, entry, found)
-        yield _places(view, symbol.sort, found)
+            yield _value(view, placed, entry, found if seen else None)
+        yield _places(view, symbol.sort, found) if seen else _LATER
 
 
 def _lengths(view: View, placed: Placed) -> Iterator[str]:
@@ -130,8 +133,8 @@ def _found(view: View, placed: Placed) -> Found:
     return found
 
 
-def _value(view: View, placed: Placed, entry: Entry | None, found: Found) -> str:
-    """What it holds here; what is not known is called that, with the reason."""
+def _value(view: View, placed: Placed, entry: Entry | None, found: Found | None) -> str:
+    """What it holds here; what is not known is called that, with the reason; without uses there is none yet."""
     if entry is not None and (constant := entry.more.get("value")):
         return f"value: **{constant}**"
     if value := known(view, placed):
@@ -140,7 +143,7 @@ def _value(view: View, placed: Placed, entry: Entry | None, found: Found) -> str
         passes = [] if told.passes is None else [f"({count(told.passes)})"]
         why = ", ".join(passes + [told.why] * bool(told.why))
         return f"value here: **{told.text}** {why or '(on every way to this line)'}"
-    return f"value here: not known, {_reason(view, placed, entry, Act.SET in found)}"
+    return "" if found is None else f"value here: not known, {_reason(view, placed, entry, Act.SET in found)}"
 
 
 def _reason(view: View, placed: Placed, entry: Entry | None, is_set: bool) -> str:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from deburr.analysis import Analysis
 from deburr.symbols import Act, Sort, Symbol, entry_of, language_of
 from deburr.symbols.constants import Constants, Value, constants_of, count
-from deburr.symbols.index import Placed, Region, all_symbols, mentions_of, on_line, region
+from deburr.symbols.index import Placed, between, mentions_of, on_line, region
 from deburr.values import Told, all_passes, passes_at, told_at, value_at
 from deburr.values.words import said
 from deburr_grammar.dialect import Bracket, Role
@@ -113,15 +113,21 @@ def _assigned(view: View, placed: Placed, constants: Constants) -> Value | None:
     entry = entry_of(symbol, view.dialect.codes)
     if entry is not None and (entry.more.get("access") == "read" or entry.more.get("known") != "program"):
         return None
-    prefix = "" if entry is None else str(entry.more.get("prefix", ""))
-    sets = list(islice(_sets(document, symbol, placed.region, prefix), _MOST))
-    if len(sets) == _MOST:
-        return None
     if placed.mention.act is Act.SET:
         text = constants.assigned(document, line, placed.mention, view.ruleset.settings)
         return None if text is None else Value(text, "set here")
+    if not is_seen(view, placed):
+        return None
+    sets = list(islice(mentions_of(document, symbol, placed.region, Act.SET), _MOST))
     last = max((each for each in sets if each.line < line), key=lambda each: each.line, default=None)
-    if last is None or not last.mention.symbol.name or not _runs_before(document, last, placed, sets):
+    if last is None or not last.mention.symbol.name or len(sets) == _MOST:
+        return None
+    end = _runs_before(document, last, placed)
+    if end is None or any(each is not last and last.line <= each.line <= end for each in sets):
+        return None
+    # Only the run knows which name these set.
+    computed = Symbol(Sort.VARIABLE, "", table="" if entry is None else str(entry.more.get("prefix", "")))
+    if any(each.symbol == computed and each.act is Act.SET for _, each in between(document, last.line, end)):
         return None
     if (constants.disturbed(document, last.line + 1, line)) or (
         not symbol.local and _leaves(document, last.line, line)
@@ -131,33 +137,27 @@ def _assigned(view: View, placed: Placed, constants: Constants) -> Value | None:
     return None if text is None else Value(text, f"line {last.line + 1}")
 
 
-def _sets(document: Document, symbol: Symbol, where: Region, prefix: str) -> Iterator[Placed]:
-    """The places that set a name, and those that may because only the run knows which name they set."""
-    for each, within in ((symbol, where), (Symbol(Sort.VARIABLE, "", table=prefix), None)):
-        yield from mentions_of(document, each, within, Act.SET)
+def is_seen(view: View, placed: Placed) -> bool:
+    """Whether all places that name what is named are known, or found without a look at the whole program."""
+    return view.is_read or (placed.mention.symbol.local and placed.region is not None)
 
 
-def _runs_before(document: Document, last: Placed, placed: Placed, sets: list[Placed]) -> bool:
-    """Whether an assignment is always the last one that is run before a place."""
+def _runs_before(document: Document, last: Placed, placed: Placed) -> int | None:
+    """The line up to which nothing else may set a name, if an assignment is always the last one that is run before a place."""
     if placed.line - last.line > _FARTHEST or last.mention.symbol.local and last.region != placed.region:
-        return False
+        return None
     if region(document, last.line) != region(document, placed.line):
-        return False
+        return None
     own = list(_around(document, last))
     mine = list(_around(document, placed))
-    if own and own[0] not in mine:
-        return False
+    if own and own[0] not in mine or own and _turns(document, last.line, placed.line):
+        return None
     deeper = mine[: mine.index(own[0])] if own else mine
-    end = placed.line
-    if deeper:
-        # A block may be run again: what it sets behind the place is set before it then.
-        closer = document.partner(*deeper[-1])
-        if closer is None:
-            return False
-        end = closer[0]
-    if any(each is not last and last.line <= each.line <= end for each in sets):
-        return False
-    return not own or not _turns(document, last.line, placed.line)
+    if not deeper:
+        return placed.line
+    # A block may be run again: what it sets behind the place is set before it then.
+    closer = document.partner(*deeper[-1])
+    return None if closer is None else closer[0]
 
 
 def _around(document: Document, placed: Placed) -> Iterator[Opener]:
@@ -195,8 +195,4 @@ def _brackets(document: Document, first: int, last: int) -> Iterator[Opener]:
 
 def _leaves(document: Document, first: int, last: int) -> bool:
     """Whether something is called between two lines that may set what all programs share."""
-    return any(
-        first <= placed.line <= last
-        for symbol in all_symbols(document, *_LEAVING)
-        for placed in mentions_of(document, symbol, act=Act.CALL)
-    )
+    return any(each.act is Act.CALL and each.symbol.sort in _LEAVING for _, each in between(document, first, last))

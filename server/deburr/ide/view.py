@@ -33,6 +33,8 @@ class View:
     ruleset: RuleSet
     host: Host
     around: Around
+    is_read: bool = True
+    """Whether it is known what all its lines name; of a long program that was just opened a question must not read them all."""
 
     @property
     def dialect(self) -> Dialect:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from functools import reduce
 from heapq import merge
 from itertools import chain, groupby, islice
@@ -17,6 +18,7 @@ from deburr.ide.moved import found_anew, moved, structural
 from deburr.lsp.checked import Checked, learning, once, order, release
 from deburr.needs import Needs
 from deburr.steps import let_go, paced
+from deburr.symbols.index import reading
 
 if TYPE_CHECKING:
     from deburr.finding import Finding
@@ -28,6 +30,9 @@ if TYPE_CHECKING:
 
 BREATH = 0.03
 """Seconds without an edit after which an edited program is gone through as a whole."""
+MOMENT = 0.01
+"""Seconds after which what a check leaves behind is let go: an edit is often followed by questions about it. Less than a breath, so that it is done between two keys."""
+_READING = "names"
 PAUSE = 0.1
 """Seconds without an edit after which the programs that depend on what was edited are checked again."""
 
@@ -109,20 +114,25 @@ class Checks:
             known.ran = moved(known.ran, edits, analysis)
             known.blocks = tuple(once(structural(analysis)))
             self._say(program.file)
-        self._idle.drop(program.file)
+        self._leave(program.file)
         release(known, Outdated())
         self._later(program.file)
         self.touched(program.file)
 
     def closed(self, program: Open) -> None:
         """A program was closed."""
-        self._idle.drop(program.file)
+        self._leave(program.file)
         known = self._known.pop(program.file, None)
         release(known, Outdated())
         self._say(program.file)
         for file in known.elsewhere if known is not None else ():
             self._say(file)
         self.touched(program.file)
+
+    def _leave(self, file: str) -> None:
+        """Leave what is being done for a program."""
+        self._idle.drop(file)
+        self._idle.drop((_READING, file))
 
     def touched(self, *files: str) -> None:
         """These files are not as they were: what depends on them is checked again, after a pause."""
@@ -183,9 +193,20 @@ class Checks:
             self._failed(error)
         finally:
             # What was derived holds the analysis, which holds it: let go, it need not be looked for.
-            self._idle.start(object(), let_go(list(analysis.memo.values())))
+            self._idle.later(MOMENT, let_go(list(analysis.memo.values())))
             analysis.memo.clear()
         self._finish(known, file, needs, before)
+        if file in self._session.open_files:
+            self._idle.start((_READING, file), self._read(file, view))
+
+    def _read(self, file: str, view: View) -> Iterator[None]:
+        """Read the names of a program, so that no question has to."""
+        yield from reading(view.document)
+        program = self._session.open_files.get(file)
+        if program is not None and program.view is view and not view.is_read:
+            program.view = replace(view, is_read=True)
+            self.done()
+            self.depended()
 
     def _gone_through(self, analysis: Analysis, known: Checked) -> Iterator[None]:
         """Learn all of a program; what it says as it stands is told before its values are proven and it is run."""

@@ -24,6 +24,7 @@ class Idle:
         self._waiting: dict[object, Work] = {}
         self._urgent: object = None
         self._planned = False
+        self._coming = 0
         self.worked: Callable[[], None] = lambda: None
         """Called behind each slice."""
 
@@ -34,6 +35,15 @@ class Idle:
         if urgent:
             self._urgent = key
         self._plan()
+
+    def later(self, seconds: float, work: Work) -> None:
+        """Do this, too, when some seconds have passed."""
+        self._coming += 1
+        self._loop.call_later(seconds, self._come, work)
+
+    def _come(self, work: Work) -> None:
+        self._coming -= 1
+        self.start(object(), work)
 
     def drop(self, key: object) -> None:
         """Leave a piece of work where it is. What it holds is let go when what is being done now is done."""
@@ -48,7 +58,7 @@ class Idle:
     @property
     def waits(self) -> bool:
         """Whether there is any work."""
-        return bool(self._waiting)
+        return bool(self._waiting or self._coming)
 
     def _plan(self) -> None:
         if self._waiting and not self._planned:

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 _NEARBY = 500
 """So many files of a workspace are looked through for uses of a name."""
 _KEPT = 256
+_FEW = 1_000
+"""So many lines may be read when a question is asked about them."""
 
 
 @dataclass(eq=False)
@@ -78,7 +80,8 @@ class Session:
         program.document = document
         if program.view is not None:
             old = program.view
-            program.view = View(old.file, document, old.ruleset, old.host, self)
+            read = old.is_read and document.line_count - old.document.line_count <= _FEW
+            program.view = View(old.file, document, old.ruleset, old.host, self, read)
 
     def closed(self, program: Open) -> None:
         """A text was closed: what is on disk counts again."""
@@ -105,7 +108,8 @@ class Session:
         old = program.view
         if old is not None and old.ruleset is ruleset and old.document is document:
             return False
-        program.document, program.view = document, View(program.file, document, ruleset, host, self)
+        read = document.line_count <= _FEW
+        program.document, program.view = document, View(program.file, document, ruleset, host, self, read)
         return True
 
     def view(self, file: str, like: View | None = None) -> View | None:

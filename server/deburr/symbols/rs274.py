@@ -213,6 +213,8 @@ def _word(text: str, word: Node) -> Iterator[Mention]:
 
 
 def _o_word(line: LineNode) -> Iterator[Mention]:
+    if not {"O", "label"} <= line.kinds:
+        return
     # Of a faulty line the parts that were read stand directly in the tree.
     o_line = next(line.find("o_line"), line.tree)
     command = next((part.kind for part in o_line.children if part.kind in _SUBS or part.kind in _BLOCKS), None)
