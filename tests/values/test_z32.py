@@ -176,3 +176,8 @@ def test_lines_without_parameters_cost_nothing() -> None:
 def test_a_program_of_computed_moves_is_left_alone() -> None:
     moves = "G1 X<HA*2.5> Y<HA+1>\n" * 21_000
     assert values_of(_analysed_whole(f"HA5\n{moves}X<1/(HA-5)>\nM30\n")) is None
+
+
+def test_a_way_back_to_a_line_that_cannot_be_read_is_no_loop() -> None:
+    analysis = _analysed_whole("4!GON0-N200\nN200")
+    assert proofs(analysis) == []

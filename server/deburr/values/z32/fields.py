@@ -220,7 +220,7 @@ class Fields:
 
     def _call(self, field: Node, number: int, expressions: Expressions) -> None:
         builder, part = self._builder, field.children[1]
-        name = builder.called(self._line, field)
+        name = builder.called[self._line.node.text, field.start]
         builder.callees.add(name)
         known = field.kind == "file_call" or isinstance(constant(self._text, part), float)
         number_of = None if known else expressions.value(part)

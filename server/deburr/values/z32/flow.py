@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import Counter
-from collections.abc import Callable, Generator, Hashable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Generator, Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.arithmetic.z32 import NEAR_INTEGER, constant
@@ -45,14 +45,14 @@ class Site(NamedTuple):
 
 
 class Builder:
-    """Makes the graph of one program. ``called``: the program that a call on a line leads to, or `UNSEEN`."""
+    """Makes the graph of one program. ``called``: the program that a call leads to, or `UNSEEN`; by the text of its line and the column."""
 
     def __init__(
         self,
         lines: Sequence[Taken],
         world: World,
         delete: bool | None,
-        called: Callable[[Taken, Part], str],
+        called: Mapping[tuple[str, int], str],
         only_called: bool,
     ) -> None:
         """``only_called``: whether its first line starts a section that nothing runs into."""
@@ -306,7 +306,7 @@ class Builder:
         entering: list[tuple[int, int]] = []
         for number in sorted(self._nodes):
             for to in self._ways[number]:
-                if 0 <= to <= number:
+                if to <= number and to in self._nodes:
                     back[to] = number
                 if to >= 0 and to != number + 1:
                     entering.append((to, number))

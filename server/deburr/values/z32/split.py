@@ -82,14 +82,13 @@ class _Split:
 
     def _graph(self, file: File, lines: Sequence[Taken]) -> Generator[None, None, Graph]:
         delete = self._analysis.inputs.block_delete
-        callees = tuple(self._called(file, line, call) for line in lines for call in line.calls)
+        # By what a line says, so that what is kept of it holds nothing of this program.
+        called = {(line.node.text, call.start): self._called(file, line, call) for line in lines for call in line.calls}
         only_called = self._only_called and file is self._files.main
-        key = (only_called, delete, self._world, callees, tuple([line.node.text for line in lines]))
+        key = (only_called, delete, self._world, tuple(called.values()), tuple([line.node.text for line in lines]))
         found = _graphs.get(key)
         if found is None:
-            builder = Builder(
-                lines, self._world, delete, lambda line, call: self._called(file, line, call), only_called
-            )
+            builder = Builder(lines, self._world, delete, called, only_called)
             graph = yield from builder.graph()
             found = _graphs.add(key, graph, len(lines))
         return found
