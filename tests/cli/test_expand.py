@@ -357,3 +357,11 @@ def test_what_a_run_alone_knows_may_read_any_name(shell):
     shell.write("12.ngc", "o12 sub\nG0 X#<_wide>\no12 endsub\n")
     shell.write("b.ngc", "#1=12\no#1 call\nM2\n")
     assert shell.run("expand", "b.ngc", "-D", "_wide=3") == (0, "G0 X3\nM2\n", "")
+
+
+@pytest.mark.parametrize("command", ["expand", "check"])
+def test_what_the_control_sets_itself_cannot_be_given(shell, command):
+    shell.write("a.ngc", "#1=5\nG0 X#1\nM2\n")
+    said = "deburr: error: -D 5420=1: the control sets `#5420` itself; programs can only read it\n"
+    assert shell.run(command, "a.ngc", "-D", "5420=1") == (2, "", said)
+    assert shell.run(command, "-q", "a.ngc", "-D", "5419=1").code == 0

@@ -121,6 +121,19 @@ def test_a_report_of_a_part_says_which_one_it_is(archive):
     assert said["programs"] == 4
 
 
+@pytest.mark.parametrize("again", ["1.json", "./1.json", "same.json"])
+def test_a_report_is_given_once(shell, again):
+    shell.write("1.json", "[]")
+    shell.write("2.json", "[]")
+    (shell.folder / "same.json").symlink_to("1.json")
+    assert shell.run("merge", "1.json", "2.json", again) == (
+        2,
+        "",
+        f"deburr: error: {again}: this report is given twice\n",
+    )
+    assert shell.run("merge", "1.json", "2.json") == (0, "No findings (2 reports)\n", "")
+
+
 def finding(**changed):
     place = {"row": 1, "column": 1}
     rule = rule_names("rs274")[0]

@@ -243,3 +243,28 @@ def test_a_thousand_quick_edits_leave_the_last_state(client: Client) -> None:
     time.sleep(0.3)
     assert client.stop() == 0
     assert [each for each in client.said if each["method"] == "textDocument/publishDiagnostics"] == []
+
+
+@pytest.mark.parametrize(
+    "said", [bytes(range(200, 256)), b"hello\n", b"Content-Length: abc\r\n\r\n{}", b"Content-Length: 2\r\n\r\nno", b""]
+)
+def test_what_is_no_client_is_told_so(tmp_path: Path, said: bytes) -> None:
+    command = [sys.executable, "-m", "deburr", "server"]
+    ran = subprocess.run(command, input=said, capture_output=True, cwd=tmp_path, timeout=60)
+    assert (ran.returncode, ran.stderr.decode()) == (
+        1,
+        "deburr: error: what came is no stream of the language server protocol;"
+        " editors start this command, and speak with it\n",
+    )
+
+
+def test_a_client_that_leaves_at_once_is_no_fault(tmp_path: Path) -> None:
+    command, said = [sys.executable, "-m", "deburr", "server"], b'{"method": "exit"}'
+    ran = subprocess.run(
+        command,
+        input=b"Content-Length: %d\r\n\r\n%b" % (len(said), said),
+        capture_output=True,
+        cwd=tmp_path,
+        timeout=60,
+    )
+    assert (ran.returncode, ran.stderr) == (1, b"")

@@ -3,6 +3,7 @@
 import argparse
 from collections.abc import Sequence
 
+from deburr import paths
 from deburr.catalogue import known_rules
 from deburr.cli.arguments import Parser
 from deburr.cli.common import Help, unable
@@ -58,6 +59,7 @@ def run(arguments: argparse.Namespace) -> int:
         outputs = outputs_of(arguments, statistics=arguments.statistics)
         if arguments.update_baseline and not arguments.baseline:
             raise ConfigError("--update-baseline: say with --baseline which file")
+        _distinct(arguments.reports)
         reports = [read(name) for name in arguments.reports]
         lacking = _lacking([part for each in reports for part in each.parts])
         if lacking and not arguments.incomplete:
@@ -71,6 +73,14 @@ def run(arguments: argparse.Namespace) -> int:
         return unable(error.messages)
     wrong = written(result, outputs, statistics=arguments.statistics, quiet=arguments.quiet)
     return unable([wrong]) if wrong else result.code(arguments.exit_zero)
+
+
+def _distinct(names: Sequence[str]) -> None:
+    """Refuse a report that is given twice: another one was meant, or the count of reports would be wrong."""
+    files = [paths.real(name) for name in names]
+    twice = next((name for at, name in enumerate(names) if files[at] in files[:at]), None)
+    if twice is not None:
+        raise ConfigError(f"{twice}: this report is given twice")
 
 
 def merged(reports: Sequence[Report], fail_on: Severity, loud: bool) -> Result:

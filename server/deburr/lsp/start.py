@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import json
+import sys
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr.lsp.capabilities import answer
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 NOT_INITIALIZED = -32002
 PARSE_ERROR = -32700
 INVALID_REQUEST = -32600
+_NO_CLIENT = "what came is no stream of the language server protocol; editors start this command, and speak with it"
 
 
 class Met(NamedTuple):
@@ -39,17 +41,22 @@ def serve(stream: Stream) -> int:
 
 
 def met_on(stream: Stream, frames: Frames) -> Met | None:
-    """Wait for `initialize` and answer it; None if the client goes first."""
+    """Wait for `initialize` and answer it; None if the client goes first. If it said nothing that is a message, standard error says so."""
+    understood = False
     while data := stream.receive():
         bodies = frames.feed(data)
         for body in bodies:
             said = answered(body)
+            understood = understood or said.understood
             if said.reply and not _sent(stream, said.reply):
                 return None
             if said.client is not None:
                 return Met(said.client, tuple(bodies))
             if said.over:
                 return None
+    if not understood:
+        sys.stderr.write(f"deburr: error: {_NO_CLIENT}\n")
+        sys.stderr.flush()
     return None
 
 
@@ -62,18 +69,19 @@ def _sent(stream: Stream, reply: bytes) -> bool:
 
 
 class Answer(NamedTuple):
-    """What a message before the server's start leads to: a reply, the client that has come, the end."""
+    """What a message before the server's start leads to: a reply, the client that has come, the end, and whether it was one at all."""
 
     reply: bytes = b""
     client: Client | None = None
     over: bool = False
+    understood: bool = True
 
 
 def answered(body: bytes) -> Answer:
     """What to do with a message as long as no client has come."""
     message = parsed(body)
     if not isinstance(message, dict):
-        return Answer(error_for(None, PARSE_ERROR, "a message must be a JSON object"))
+        return Answer(error_for(None, PARSE_ERROR, "a message must be a JSON object"), understood=False)
     if message.get("method") == "initialize" and "id" in message:
         client = client_of(message.get("params"))
         return Answer(_response(message["id"], {"result": answer(client)}), client)

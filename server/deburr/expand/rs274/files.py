@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
+from deburr.expand.rs274.state import READ_ONLY
 from deburr.expand.rs274.unit import Unit
 from deburr.formats.parameters import read
 from deburr.steps import done
@@ -86,6 +87,9 @@ def _define(state: State, name: str, said: str) -> None:
         if not 1 <= int(plain) <= state.last:
             message = f"parameters go from 1 to {state.last}"
             raise state.job.unusable("param-range", f"{name}={said}", message)
+        if int(plain) in READ_ONLY:
+            message = f"the control sets `#{int(plain)}` itself; programs can only read it"
+            raise state.job.unusable("param-readonly", f"{name}={said}", message)
         state.params[int(plain)] = value
     else:
         (state.globals if plain.startswith("_") else state.locals)[plain] = value
