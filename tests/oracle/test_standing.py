@@ -122,6 +122,8 @@ def cycle(rng: Random) -> list[str]:
     """A canned cycle that goes on for some lines, with other levels, depths, planes, units and offsets."""
     plane, axis = rng.choice([("G17", "Z"), ("G18", "Y"), ("G19", "X")])
     across = "XYZ".replace(axis, "")
+    turned, along = rng.choice([("G17", "Z"), ("G18", "Y"), ("G19", "X")])
+    aside = "XYZ".replace(along, "")
 
     def number(letter: str) -> str:
         return f"{letter}{rng.choice([-3, -2, -1.5, -1, -0.5, 0, 0.5, 1, 2])}"
@@ -137,6 +139,12 @@ def cycle(rng: Random) -> list[str]:
         also = [number(letter) for letter in (axis, "R") if rng.random() < 0.4]
         mode = rng.choice(["", "", "", "G90", "G91", "G20", "G21", "G99"])
         lines.append(rng.choice([f"{mode} {hole()} {' '.join(also)}"] * 6 + ["G92 X3 Z4", "G4 P0", "G55", "M8"]))
+    for said in (number(along), f"{rng.choice(aside)}3", f"{number(along)} {number('R')}", ""):
+        # The numbers are taken over into another plane, and back.
+        if rng.random() < 0.4:
+            lines.append(f"{turned} {rng.choice(['', 'G90', 'G91']) if said else ''} {said}")
+            turned = rng.choice(["", plane])
+            along = axis if turned else along
     return lines
 
 

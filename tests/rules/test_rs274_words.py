@@ -125,6 +125,11 @@ CERTAIN = {
     "the system in force, in compensation": ("G56\nG41 D1\nG10 L2 P3 X1\nG40\nM2\n", ["in-compensation"]),
     "a level below a depth that is taken over": ("F9\nG81 X1 Z-1 R1\nX2\nX3 R-2\nM2\n", ["cycle-depth"]),
     "a depth that was taken over from another mode": ("F9\nG81 X1 Z0.5 R1\nG91 X2\nM2\n", ["cycle-depth"]),
+    "a level below the depth of another plane": ("F9\nG0 Z20\nG81 X1 Y1 Z-1 R2\nG18 Y30\nM2\n", ["cycle-depth"]),
+    "a plane of its own line": ("F9\nG18 G0 Y20\nG81 X1 Z1 Y-5 R2\nG19\nX30\nM2\n", ["cycle-depth"]),
+    "the same cycle in another plane": ("F9\nG0 Z20\nG81 X1 Y1 Z-1 R2\nG18 G81 Y30\nM2\n", ["cycle-depth"]),
+    "a depth of another plane": ("F9\nG81 X1 Y30 Z-1 R2\nG18 X30\nY2\nG17 X4\nR1 X5\nM2\n", ["cycle-depth"]),
+    "a depth of another plane above no level": ("F9\nG81 X1 Y30 Z-1 R2\nG18 X30\nY2\nG19 Y4\nM2\n", []),
     "a level that is not known": (
         "F9\nG81 X1 Z-1 R1\nX3 R[#5-0.5]\nX4 R-3 Z-4\nX5 Z-4 R-3.5\nM2\n",
         ["read-before-set"],

@@ -1,7 +1,7 @@
 """Canned cycle whose depth lies above the level R, of which it takes one over.
 
 The lines after the start of a cycle take over what they do not say, and the level R must not lie below the
-depth: Z in G17, Y in G18, X in G19. Under `G91` the depth is a way down from R, so it must not be above 0. Numbers are taken over as they
+depth: Z in G17, Y in G18, X in G19. A change of the plane takes over both numbers, along the new axis. Under `G91` the depth is a way down from R, so it must not be above 0. Numbers are taken over as they
 were written, whatever units, offsets and distance mode are in force by then. The control stops, as with "R less than z in cycle
 in xy plane".
 
@@ -28,6 +28,13 @@ Bad:
     G91 G81 X1 Z1 R2
                ^^
 
+Bad:
+
+    F100
+    G17 G81 X1 Z-5 R2
+    G18 Y30
+        ^^^
+
 Good:
 
     F100
@@ -38,6 +45,7 @@ Good:
 
 import re
 from collections.abc import Generator, Iterator
+from typing import NamedTuple
 
 from deburr.analysis import Analysis
 from deburr.modal import State, modal_of
@@ -53,20 +61,31 @@ _LEAVES = frozenset(("M2", "M30", "M70", "M72", "M73", "M98", "M99", "G7", "G8")
 """Codes behind which the next line need not come next, other modes may be in force, or a word X means something else."""
 
 
+class _Number(NamedTuple):
+    """A number with where it is written."""
+
+    value: float | None
+    """None: only the run knows it."""
+    row: int
+    letter: str
+
+
 class _Held:
-    """What a cycle takes over: R and the depth, each with its number (None: only the run knows it) and the line where it is written."""
+    """What a cycle takes over: R and the depth, which is one number for all planes."""
 
-    def __init__(self, start: int, depth: str) -> None:
-        self.depth = depth
-        self.numbers: dict[str, tuple[float | None, int]] = dict.fromkeys((depth, "R"), (None, start))
+    def __init__(self, start: int) -> None:
+        self.level, self.depth = _Number(None, start, "R"), _Number(None, start, "")
 
-    def take(self, numbers: dict[str, float | None], at: int) -> None:
-        """What a line says."""
-        self.numbers.update({letter: (numbers[letter], at) for letter in self.numbers if letter in numbers})
+    def take(self, numbers: dict[str, float | None], axis: str, at: int) -> None:
+        """What a line says in a plane whose depth lies along an axis."""
+        if "R" in numbers:
+            self.level = _Number(numbers["R"], at, "R")
+        if axis in numbers:
+            self.depth = _Number(numbers[axis], at, axis)
 
     def is_faulty(self, steps: bool) -> bool:
         """Whether the depth is certain to lie above R; in steps it is a way from there."""
-        (depth, _), (level, _) = self.numbers[self.depth], self.numbers["R"]
+        depth, level = self.depth.value, self.level.value
         return depth is not None and (depth > 0 if steps else level is not None and depth > level)
 
 
@@ -101,17 +120,18 @@ def _of_cycle(analysis: Analysis, start: int) -> Generator[Report, None, int]:
         if _ends(line, found) or (made not in CYCLES and (made or at == start)):
             return at + 1
         if made:
-            if held is None or in_force(state, "motion") != made:
-                held = _Held(at, _DEPTH.get(governs(found, state, "plane") or "", ""))
-            if not _goes_on(held, found, state):
+            axis = _depth_axis(found, state)
+            if not axis:
                 return at + 1
+            if held is None or in_force(state, "motion") != made:
+                held = _Held(at)
             numbers = values(line)
-            held.take(numbers, at)
+            held.take(numbers, axis, at)
             distance = governs(found, state, "distance")
             if held.is_faulty(steps=distance == "G91") and distance in ("G90", "G91"):
                 # With both of them on a line under G90 the line alone tells what is wrong.
-                if distance == "G91" or not numbers.keys() >= held.numbers.keys():
-                    yield _report(analysis, held, at, steps=distance == "G91")
+                if distance == "G91" or not numbers.keys() >= {axis, "R"}:
+                    yield _report(analysis, held, axis, at, steps=distance == "G91")
                 return at + 1
         state = fold.plain(state, line.node.reading, line.node.shape)
     return document.line_count
@@ -124,29 +144,28 @@ def _ends(line: Line, found: Words) -> bool:
     return unclear or not read.kinds.isdisjoint(("o_line", "DELETE")) or not found.has.isdisjoint(_LEAVES)
 
 
-def _goes_on(held: _Held, found: Words, state: State) -> bool:
-    """Whether the plane is still the same, and its depth no diameter."""
-    same = held.depth == _DEPTH.get(governs(found, state, "plane") or "")
-    return same and (held.depth != "X" or in_force(state, "lathe-diameter") in ("", "G8"))
+def _depth_axis(found: Words, state: State) -> str:
+    """The letter of the depth in the plane of a line; empty where that is not followed or a diameter."""
+    axis = _DEPTH.get(governs(found, state, "plane") or "", "")
+    return axis if axis != "X" or in_force(state, "lathe-diameter") in ("", "G8") else ""
 
 
-def _report(analysis: Analysis, held: _Held, at: int, steps: bool) -> Report:
+def _report(analysis: Analysis, held: _Held, axis: str, at: int, steps: bool) -> Report:
     """On the word of the line that goes wrong: R or the depth, or its first axis word where it writes neither."""
     line = Line(analysis.document.node(at), analysis.settings)
-    found, depth = words(line), held.depth
-    own = next((letter for letter in (depth, "R") if letter in found.has), "")
-    written = {letter: _written(analysis, letter, row) for letter, (_, row) in held.numbers.items()}
-    if own == depth:
-        why = "is a way up from R under `G91`" if steps else f"lies above the level {written['R']}"
+    found = words(line)
+    own = next((letter for letter in (axis, "R") if letter in found.has), "")
+    above = "is a way up from R under `G91`" if steps else f"lies above the level {_written(analysis, held.level)}"
+    if own == axis:
+        why = above
     elif own and not steps:
-        why = f"lies below the depth {written[depth]}"
+        why = f"lies below the depth {_written(analysis, held.depth)}"
     else:
-        up = "which is a way up from R under `G91`" if steps else f"which lies above the level {written['R']}"
-        why = f"goes on to the depth {written[depth]}, {up}"
+        why = f"goes on to the depth {_written(analysis, held.depth)}, which {above}"
     word = found.first(*([own] if own else AXES))
     return report(line, word, f"`{said(line, word)}` {why}; the control stops here")._replace(line=at)
 
 
-def _written(analysis: Analysis, letter: str, row: int) -> str:
-    line = Line(analysis.document.node(row), analysis.settings)
-    return f"`{said(line, words(line).first(letter))}` of line {row + 1}"
+def _written(analysis: Analysis, number: _Number) -> str:
+    line = Line(analysis.document.node(number.row), analysis.settings)
+    return f"`{said(line, words(line).first(number.letter))}` of line {number.row + 1}"
