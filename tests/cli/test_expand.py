@@ -365,3 +365,14 @@ def test_what_the_control_sets_itself_cannot_be_given(shell, command):
     said = "deburr: error: -D 5420=1: the control sets `#5420` itself; programs can only read it\n"
     assert shell.run(command, "a.ngc", "-D", "5420=1") == (2, "", said)
     assert shell.run(command, "-q", "a.ngc", "-D", "5419=1").code == 0
+
+
+@pytest.mark.parametrize("fault", ["", "G0 X[1/0]\n", "G0 X1 (a (b) c)\no<unclosed> if [1]\n"])
+def test_a_misspelt_name_is_warned_of_where_nothing_is_run_either(shell, fault):
+    shell.write("a.ngc", f"G21\n{fault}o<deep> call\nM2\n")
+    shell.write("deep.ngc", "o<deep> sub\nG0 Z#<_depth>\no<deep> endsub\n")
+    warning = "deburr: warning: -D _deth: the program never reads `#<_deth>`; did you mean `_depth`?\n"
+    ran = shell.run("expand", "a.ngc", "-D", "_deth=4")
+    assert ran.code == 1 and ran.err.startswith(warning)
+    assert "warning: -D" not in shell.run("expand", "-q", "a.ngc", "-D", "_deth=4").err
+    assert "warning: -D" not in shell.run("expand", "a.ngc", "-D", "_depth=4").err

@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from mmap import ACCESS_READ, mmap
 from time import monotonic
 from typing import IO, TYPE_CHECKING, NamedTuple
@@ -176,6 +176,9 @@ def flat_of(programs: Sequence[Opened], terms: Terms, lines: IO[bytes]) -> Flat:
     found = before_a_run(found, programs[0].dialect, terms.inputs, len(programs))
     if any(finding.severity is Severity.ERROR for finding in found):
         flat.whole = False
+        # A name that is misspelt may be what the error is about.
+        if unread := getattr(interpreter(programs[0].dialect.name), "unread", None):
+            _warn(unread(_job(flat)), terms)
     else:
         found = merged(found, _run(flat))
     shown = [finding for finding in found if finding.severity is Severity.ERROR or not terms.quiet]
@@ -190,11 +193,20 @@ def _checked(program: Opened, inputs: Inputs) -> list[Finding]:
     return in_file(analysis.findings(), program.file, program.source)
 
 
-def _run(flat: Flat) -> Iterator[Finding]:
-    """What the run met."""
+def _job(flat: Flat) -> Job:
     first = flat.programs[0]
     programs = [Program(each.file, each.document) for each in flat.programs]
-    job = Job(programs, first.ruleset, first.host, flat, flat.terms.inputs, flat.terms.budget, flat.source_map)
+    return Job(programs, first.ruleset, first.host, flat, flat.terms.inputs, flat.terms.budget, flat.source_map)
+
+
+def _warn(messages: Iterable[str], terms: Terms) -> None:
+    for message in messages if not terms.quiet else ():
+        complain(message, "warning")
+
+
+def _run(flat: Flat) -> Iterator[Finding]:
+    """What the run met."""
+    first, job = flat.programs[0], _job(flat)
     started = said = monotonic()
     for _ in drive(job):
         now = monotonic()
@@ -204,8 +216,7 @@ def _run(flat: Flat) -> Iterator[Finding]:
     if said != started:
         print(file=sys.stderr)
     flat.whole = not job.halted
-    for message in job.unread if not flat.terms.quiet else ():
-        complain(message, "warning")
+    _warn(job.unread, flat.terms)
     documents = {each.file: each for each in flat.programs}
     for fault in job.faults:
         if fault.given:

@@ -63,6 +63,7 @@ def interpreter(dialect: str) -> ModuleType | Any:
     Its ``CHECKS`` says whether a run finds every error by itself, its ``ONLY_WHAT_RUNS`` that, besides,
     what is wrong with a line that never runs does not stop an expansion. ``FOLLOWS`` names what it heeds of
     `block_delete`, `machine_values`, `keep_n` and `decimals`. ``JOINS``: several programs run as one.
+    ``unread(job)`` is what there is to say of values given by name where an error keeps a run from beginning.
     """
     name = f"{__name__}.{dialect}"
     return import_module(name) if find_spec(name) is not None else None

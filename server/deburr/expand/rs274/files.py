@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING
 
 from deburr.expand.rs274.state import READ_ONLY
@@ -67,6 +68,13 @@ def unread(job: Job, unit: Unit, load: Callable[[str], Unit | None]) -> Iterator
                 yield f"-D {said}: the program never reads `#{name}`"
         elif "".join(name.split()) not in names:
             yield f"-D {said}: the program never reads `#<{name}>`{suggestion(name, names)}"
+
+
+def unread_by_programs(job: Job) -> Iterator[str]:
+    """What `unread` says where no run begins."""
+    for program in job.programs:
+        unit = done(Unit.making(program.file, program.document))
+        yield from unread(job, unit, partial(loaded, job))
 
 
 def first_values(state: State) -> None:
