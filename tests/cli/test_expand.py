@@ -338,6 +338,29 @@ def test_files_of_their_sort_are_read(shell):
     assert (ran.code, ran.out) == (0, "G0 X7.5 Y0\nT2 M6\nM2\n")
 
 
+@pytest.mark.parametrize(
+    ("program", "said"),
+    [
+        ("T9 M6\nM2\n", "1:1 `T9`"),
+        ("#1=9\nT[#1] M6\nM2\n", "2:1 `T9`"),
+        ("#1=9\nG43 H#1\nM2\n", "2:5 `H9`"),
+        ("G1 F100 X-1\nG41 D9\nG1 X10\nM2\n", "2:5 `D9`"),
+    ],
+)
+def test_a_tool_that_a_given_table_does_not_have_stops_the_run(shell, program: str, said: str) -> None:
+    shell.write("p.ngc", program)
+    shell.write("t.tbl", "T1 P1 Z5\nT4 P4\n")
+    assert shell.run("expand", "p.ngc").code == 0
+    ran = shell.run("expand", "p.ngc", "--tool-table", "t.tbl")
+    assert (ran.code, ran.out) == (1, "")
+    place, word = said.split()
+    assert f"[rs274.tool-unknown]: {word} is tool 9, which the tool table `t.tbl` does not have;" in ran.err
+    assert f"p.ngc:{place}\n" in ran.err
+    checked = shell.run("check", "--run", "p.ngc", "--tool-table", "t.tbl")
+    assert checked.code == 1
+    assert "rs274.tool-unknown" in checked.out
+
+
 def test_a_name_that_nothing_reads_is_warned_of(shell):
     shell.write("a.ngc", "#<width>=5\no<deep> call\nG0 X#<Wi dth> Y#03\nM2\n")
     shell.write("deep.ngc", "o<deep> sub\nG0 Z#<_deep>\no<deep> endsub\n")

@@ -14,19 +14,20 @@ from deburr.analysis import Analysis
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
+from support.pages import MemoryHost
 
 pytestmark = pytest.mark.oracle
 DIALECT = by_name("rs274")
-ARCS, POLAR, CYCLES = 1_200, 600, 400
+ARCS, POLAR, CYCLES, TOOLS = 1_200, 600, 400, 400
 PLANES = {"G17": ("XY", "IJ"), "G18": ("XZ", "IK"), "G19": ("YZ", "JK")}
 
 
-def refused(program: str, folder: Path) -> set[int]:
+def refused(program: str, folder: Path, *given: str) -> set[int]:
     """The numbers of the lines that the interpreter refuses; it goes on behind each."""
     (folder / "p.ngc").write_text(program)
     (folder / "p.var").touch()
     done = subprocess.run(
-        ["rs274", "-g", "-n", "0", "-v", "p.var", "p.ngc"],
+        ["rs274", "-g", "-n", "0", "-v", "p.var", *given, "p.ngc"],
         cwd=folder,
         env={**os.environ, "HOME": str(folder)},
         capture_output=True,
@@ -38,8 +39,9 @@ def refused(program: str, folder: Path) -> set[int]:
     return {int(line[1:].split()[0]) for line in said if line.startswith("N") and line[1:2].isdigit()}
 
 
-def reported(program: str, *rules: str) -> set[int]:
-    findings = Analysis(Document.parse(program, DIALECT), RuleSet(DIALECT)).findings()
+def reported(program: str, *rules: str, table: str = "") -> set[int]:
+    ruleset, host = RuleSet(DIALECT, {"tool-table": "t.tbl" if table else ""}), MemoryHost({"t.tbl": table})
+    findings = Analysis(Document.parse(program, DIALECT), ruleset, "", host).findings()
     errors = [finding for finding in findings if finding.severity.name == "ERROR"]
     assert {finding.rule for finding in errors} <= set(rules)
     return {finding.place.line for finding in errors}
@@ -157,6 +159,45 @@ def test_levels_and_depths_that_a_cycle_takes_over_are_judged_as_the_interpreter
     stopped = firsts(refused(program, tmp_path), pieces)
     assert CYCLES // 10 < len(stopped) < CYCLES
     assert firsts(reported(program, "rs274.cycle-depth", "rs274.word-value"), pieces) == stopped
+
+
+TABLE = "T1 P1 Z5 D1\nT2 P2\nT7 P3\n"
+TOOL_LINES = (
+    *(
+        "T{}",
+        "T{} G4 P0",
+        "M61 Q{}",
+        "G43 H{}",
+        "G43.2 H{}",
+        "G41 D{}\nG40",
+        "G42 D{}\nG40",
+        "T1 G43 H{} M8",
+        "G43.1 Z{}",
+    ),
+    *(
+        "G10 L1 P{} Z1",
+        "G10 L10 P{} Z1",
+        "G10 L11 P{} Z1",
+        "G10 L2 P{} X0",
+        "G4 P{}",
+        "G41.1 D{}\nG40",
+        "S{}",
+        "G64 P{} Q{}",
+    ),
+)
+
+
+def test_tools_are_asked_of_the_table_as_the_interpreter_asks_them(tmp_path: Path) -> None:
+    rng = Random(9)
+    lines = [rng.choice(TOOL_LINES).replace("{}", str(rng.choice([0, 1, 2, 3, 7, 8]))) for _ in range(TOOLS)]
+    # That no tool can be measured is said by the rule on values.
+    lines = [line for line in lines if not line.startswith("G10 ") or " P0" not in line]
+    program = "".join(f"N{at} {line}\n" for at, line in enumerate("\n".join(lines).split("\n"))) + "M2\n"
+    (tmp_path / "t.tbl").write_text(TABLE)
+    stopped = refused(program, tmp_path, "-t", "t.tbl")
+    assert TOOLS // 10 < len(stopped) < TOOLS // 2
+    assert reported(program, "rs274.tool-unknown", table=TABLE) == stopped
+    assert reported(program) == set()
 
 
 def firsts(lines: set[int], pieces: Sequence[Sequence[str]]) -> list[int]:

@@ -29,8 +29,17 @@ if TYPE_CHECKING:
 
 _MOST = 20_000
 """Combinations of shape and state that are kept, and lines that are looked at together."""
-_ON_MOVES = ("arc-radius", "cycle-depth", "feed-zero", "g-unknown", "m-unknown", "polar-at-origin", "probe-in-place")
-"""Rules on the program as a whole that are about its moves and codes."""
+_ON_MOVES = (
+    "arc-radius",
+    "cycle-depth",
+    "feed-zero",
+    "g-unknown",
+    "m-unknown",
+    "polar-at-origin",
+    "probe-in-place",
+    "tool-unknown",
+)
+"""Rules on the program as a whole that are about its moves, codes and tools."""
 
 
 class _Step(NamedTuple):

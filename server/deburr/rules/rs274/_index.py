@@ -113,6 +113,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('sub_unreachable', 2, True, False, False, 'Proven', {}, False),
     ('tan_pole', 2, True, False, False, 'Nodes', {'kinds': ('function',), 'by_shape': False}, True),
     ('text_after_end', 1, True, False, False, 'Whole', {}, False),
+    ('tool_unknown', 3, True, False, False, 'Whole', {}, False),
     ('value_missing', 3, True, False, False, 'Syntax', {'kinds': (), 'only': None}, False),
     ('value_unread', 1, False, False, False, 'Whole', {}, False),
     ('word_conflict', 3, True, False, False, 'Modal', {'kinds': ('word',)}, True),
