@@ -98,7 +98,7 @@ class _Nodes(NamedTuple):
     by_kind: dict[str, list[Node]]
 
 
-@lru_cache(maxsize=8192)
+@lru_cache(maxsize=4096)
 def _nodes(dialect: Dialect, reading: Reading, text: str) -> _Nodes:
     nodes = tuple(part for part in walk(_parse(dialect, reading, text).tree) if isinstance(part, Node))
     by_kind: dict[str, list[Node]] = {}
@@ -115,19 +115,21 @@ def _interned(kinds: frozenset[str]) -> frozenset[str]:
 class Shapes(dict[str, Shape]):
     """The shapes of a dialect that are in use, and some that were read last; of the others, those stay that somebody holds."""
 
-    LIMIT = 8_192
-    """So many are held by the table itself."""
+    LIMIT = 1_024
+    """So many are held by the table itself, and at most as many that were read before them."""
 
     def __init__(self, dialect: Dialect) -> None:
         super().__init__()
         self._dialect = dialect
+        self._before: dict[str, Shape] = {}
         self._older: WeakValueDictionary[str, Shape] = WeakValueDictionary()
 
     def __missing__(self, text: str) -> Shape:
         if len(self) >= self.LIMIT:
-            self._older.update(self)
+            self._older.update(self._before)
+            self._before = self.copy()
             self.clear()
-        shape = self._older.get(text)
+        shape = self._before.get(text) or self._older.get(text)
         if shape is None:
             shape = Shape(self._dialect, text)
         self[text] = shape

@@ -151,7 +151,7 @@ class Outliner:
         return Outlined(tuple(runs), tuple(found), left.balance, state, left)
 
 
-@lru_cache(maxsize=8_192)
+@lru_cache(maxsize=4_096)
 def _step(dialect: Dialect, facts: frozenset[str], state: Hashable, depth: int, shape: Shape, text: str) -> Step:
     return dialect.outline.step(state, depth, facts, lambda reading: LineNode(text, reading, shape))
 
