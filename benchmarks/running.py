@@ -9,6 +9,7 @@ from benchmarks.measure import growth, seconds
 from benchmarks.ours import DIALECT, read, ready
 from deburr.expand import Budget, Job, Program, SourceMap, drive
 from deburr.host import NoFiles
+from deburr.inputs import Inputs
 from deburr.ruleset import RuleSet
 from deburr_grammar.document import Document
 
@@ -43,7 +44,8 @@ def memory(path: str, mapped: bool) -> int:
 def _run(document: Document, ruleset: RuleSet, source_map: SourceMap | None) -> SourceMap | None:
     with TemporaryFile() as out:
         program = Program("p.ngc", document)
-        job = Job((program,), ruleset, NoFiles(), _File(out), None, Budget(0, 0), source_map)
+        # What the interpreter takes for the machine's values when it runs alone.
+        job = Job((program,), ruleset, NoFiles(), _File(out), Inputs(simulate=True), Budget(0, 0), source_map)
         for _ in drive(job):
             pass
         assert not job.faults, job.faults

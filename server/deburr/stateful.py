@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from deburr_grammar.document import Document, Piece
     from deburr_grammar.line import Shape
 
-_STEPS = 8_192
-"""Steps of shapes kept under all states together: someone who types makes new ones with every key."""
 _STATES = 10_000
 
 
@@ -54,6 +52,9 @@ class _Steps(dict["Shape", "_Step | None"]):
 
 class Stateful:
     """The rules on modal state of a rule set; make one with `stateful_of`."""
+
+    MOST = 8_192
+    """Steps of shapes kept under all states together: a library comes with the same ones again and again, someone who types with a new one at every key."""
 
     def __init__(self, ruleset: RuleSet, modal: Modal) -> None:
         self._ruleset = ruleset
@@ -128,7 +129,7 @@ class Stateful:
         return steps
 
     def _step(self, steps: _Steps, shape: Shape) -> _Step | None:
-        if self._count >= _STEPS:
+        if self._count >= self.MOST:
             self._count = 0
             for known in self._steps.values():
                 known.clear()

@@ -1,7 +1,9 @@
 """`deburr check`: flags, exit codes, which files, what is said where."""
 
 import json
+import os
 import pickle
+import signal
 
 import pytest
 
@@ -323,3 +325,15 @@ def test_a_checker_can_be_sent_to_another_process(shell):
     found = targets(["."], configs)
     checker = pickle.loads(pickle.dumps(Checker(configs, Options())))
     assert [len(checker.outcome(target).findings) for target in found] == [1, 0]
+
+
+def test_a_process_that_is_ended_from_outside_is_said(shell, monkeypatch):
+    def killed(checker, target):
+        os.kill(os.getpid(), signal.SIGKILL)
+
+    for name in ("a.ngc", "b.ngc"):
+        shell.write(name, "M2\n")
+    monkeypatch.setattr("deburr.cli.run.Checker.outcome", killed)
+    code, out, err = shell.run("check", "-j", "2")
+    assert (code, out) == (2, "")
+    assert err.startswith("deburr: error: a process that checked files was ended from outside")

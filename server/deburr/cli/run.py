@@ -11,7 +11,7 @@ from deburr.cli.files import STDIN, Target
 from deburr.cli.inputs import inputs_for
 from deburr.cli.opening import Opener, Opening, Unopened
 from deburr.cli.style import Style
-from deburr.config import RuleSets
+from deburr.config import ConfigError, RuleSets
 from deburr.configfile import Configs
 from deburr.finding import Finding, Severity
 from deburr.host import Host, NoFiles
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 AROUND = 2
 """Lines shown before and behind the line of a finding."""
+
+_ENDED = "a process that checked files was ended from outside, perhaps for want of memory; `-j 1` needs less of it"
 
 
 class Outcome(NamedTuple):
@@ -209,10 +211,17 @@ def _made(checker: Checker, targets: Sequence[Target], jobs: int) -> Iterator[Ou
     if jobs < 2 or len(targets) < 2 or any(target.file == STDIN for target in targets):
         yield from map(checker.outcome, targets)
         return
-    from multiprocessing import Pool
+    from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
 
-    with Pool(min(jobs, len(targets)), _start, (checker,)) as pool:
-        yield from pool.imap(_outcome, targets, max(1, min(4, len(targets) // (jobs * 32))))
+    # Processes are never ended from outside: one that is in the middle of a message would leave the others waiting for ever.
+    with ProcessPoolExecutor(min(jobs, len(targets)), None, _start, (checker,)) as pool:
+        try:
+            yield from pool.map(_outcome, targets, chunksize=max(1, min(4, len(targets) // (jobs * 32))))
+        except BrokenProcessPool:
+            raise ConfigError(_ENDED) from None
+        finally:
+            pool.shutdown(wait=True, cancel_futures=True)
 
 
 _worker: list[Checker] = []

@@ -122,6 +122,6 @@ def _said(finding: Finding, pages: bool) -> Json:
     return found | {"codeDescription": {"href": page_uri(finding.rule)}} if pages else found
 
 
-@lru_cache(maxsize=4_096)
+@lru_cache(maxsize=2_048)
 def _written(rule: str, severity: Severity, message: str, pages: bool) -> str:
     return json.dumps(_said(Finding(rule, severity, message, _NOWHERE), pages)).removeprefix("{")

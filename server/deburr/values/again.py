@@ -10,7 +10,7 @@ from deburr.values.kept import Kept
 One = TypeVar("One", bound=Collection[object])
 Two = TypeVar("Two", bound=Collection[object])
 Made = TypeVar("Made")
-_VARIABLES = 60_000
+_VARIABLES = 20_000
 """Variables in all that something is kept of: some megabytes."""
 _kept: Kept[tuple[Collection[object], Collection[object], object]] = Kept(_VARIABLES)
 """What was made, with what it was made of: as long as it is kept, no other object can be in the place of that."""
