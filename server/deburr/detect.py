@@ -61,6 +61,7 @@ def modeline(text: str) -> Answer | None:
     return None
 
 
+@cache
 def known_extensions() -> frozenset[str]:
     """The extensions by which folders are searched."""
     return frozenset((*SHARED, *(each for name in NAMES for each in by_name(name).extensions)))

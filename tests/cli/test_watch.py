@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pytest
 
+from deburr.paths import PART
+
 CLEAN, FAULTY = "G21 G90 G17\nF100\nM2\n", "G21 G90 G17\nG0 X[1/0]\nF100\nM2\n"
 PATIENCE = 60
 """Seconds that a machine may take over what takes a moment."""
@@ -44,6 +46,13 @@ class Watched:
                 self.said += os.read(self.process.stdout.fileno(), 65536).decode()
         return self.said
 
+    def end(self) -> None:
+        """Leave no process."""
+        self.process.kill()
+        self.process.wait()
+        assert self.process.stdout is not None
+        self.process.stdout.close()
+
 
 @pytest.fixture
 def watched(tmp_path: Path) -> Iterator[Watched]:
@@ -51,10 +60,7 @@ def watched(tmp_path: Path) -> Iterator[Watched]:
     (tmp_path / "b.ngc").write_text(CLEAN)
     running = Watched(tmp_path, "--output-format", "json=found.json")
     yield running
-    running.process.kill()
-    running.process.wait()
-    assert running.process.stdout is not None
-    running.process.stdout.close()
+    running.end()
 
 
 def test_each_change_is_checked(watched: Watched, tmp_path: Path) -> None:
@@ -78,6 +84,53 @@ def test_it_ends_when_its_reader_has_gone(watched: Watched, tmp_path: Path) -> N
     watched.process.stdout.close()
     (tmp_path / "a.ngc").write_text(FAULTY)
     assert watched.process.wait(PATIENCE) == 0
+
+
+def test_what_no_check_hangs_on_starts_none(tmp_path: Path) -> None:
+    (tmp_path / "a.ngc").write_text("#1=5\no<deep> call\nG0 X#31\nM2\n")
+    (tmp_path / "deep.ngc").write_text("o<deep> sub\nG0 Z1\no<deep> endsub\nM2\n")
+    (tmp_path / "deburr.toml").write_text('[rs274]\nparameters = "stored.dat"\n')
+    (tmp_path / "stored.dat").write_text("31 2\n")
+    running = Watched(tmp_path, "--no-cache", "--output-format", "sarif=found.sarif")
+    try:
+        running.until(f"watching {tmp_path.as_posix()}")
+        for name in ("run.log", "notes.txt", "other.sarif", "found.sarif", ".found.sarif.0" + PART):
+            (tmp_path / name).write_text("nothing that a control reads\n")
+            time.sleep(0.3)
+        for number, (name, text) in enumerate(
+            (("stored.dat", "31 3\n"), ("deep.ngc", CLEAN), ("new.ngc", "G21 G90 G17\nG0 X1\nM2\n")), 1
+        ):
+            (tmp_path / name).write_text(text)
+            running.until("watching again", number)
+            time.sleep(0.5)
+        (tmp_path / "run.log").write_text("still nothing\n")
+        time.sleep(0.5)
+        (tmp_path / "a.ngc").write_text(CLEAN)
+        running.until("watching again", 4)
+        time.sleep(0.5)
+        (tmp_path / "deburr.toml").unlink()
+        running.until("watching again", 5)
+        time.sleep(0.5)
+        assert running.said.count("watching again") == 5
+    finally:
+        running.end()
+
+
+def test_a_log_in_the_folder_starts_none(tmp_path: Path) -> None:
+    (tmp_path / "a.ngc").write_text(FAULTY)
+    command = [sys.executable, "-m", "deburr", "check", "--watch", "--no-cache", "--dialect", "rs274"]
+    with (tmp_path / "log.txt").open("w") as log:
+        process = subprocess.Popen(command, cwd=tmp_path, stdout=log, stderr=log)
+        try:
+            end = time.monotonic() + PATIENCE
+            while "watching" not in (tmp_path / "log.txt").read_text():
+                assert time.monotonic() < end and process.poll() is None
+                time.sleep(0.1)
+            time.sleep(1)
+        finally:
+            process.kill()
+            process.wait()
+    assert "watching again" not in (tmp_path / "log.txt").read_text()
 
 
 def test_without_the_library_the_way_out_is_said(shell, monkeypatch):

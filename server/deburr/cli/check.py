@@ -3,7 +3,7 @@
 import argparse
 import os
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -38,25 +38,28 @@ def run(arguments: argparse.Namespace) -> int:
         if arguments.watch:
             from deburr.cli.watch import watched
 
-            return watched(arguments, _checked)
+            return watched(arguments, partial(_checked, arguments))
         return _checked(arguments)
     except ConfigError as error:
         return unable(error.messages)
 
 
-def _checked(arguments: argparse.Namespace) -> int:
+def _checked(arguments: argparse.Namespace, heard: Callable[[Sequence[Outcome]], None] | None = None) -> int:
+    """Check and report once; the exit code. ``heard`` is told of the outcomes, and what they hang on."""
     outputs = outputs_of(arguments, statistics=arguments.statistics)
     configs = Configs(top(arguments), arguments.config)
     found = _targets(arguments, configs)
     _distinct(outputs, found)
     cache = _cache(arguments, found, configs)
-    options = _options(arguments, outputs, cache)
+    options = _options(arguments, outputs, cache)._replace(asked=heard is not None)
     work = outcomes(Checker(configs, options, cache), found, partial(_processes, arguments.jobs))
     if len(found) > 1 and not arguments.quiet and sys.stderr.isatty():
         from deburr.cli.progress import shown
 
         work = shown(work, len(found))
     made = tuple(work)
+    if heard is not None:
+        heard(made)
     if wrong := Result(made).misgiven:
         return unable([wrong])
     if not found:

@@ -51,7 +51,6 @@ class _Ignoring(NamedTuple):
 class _Walk:
     def __init__(self, configs: Configs) -> None:
         self._configs = configs
-        self._extensions = known_extensions()
 
     def folder(self, folder: str, above: tuple[_Ignoring, ...]) -> Iterator[Target]:
         """The files in a folder and below it."""
@@ -66,15 +65,15 @@ class _Walk:
             if entry.is_dir(follow_symlinks=False):
                 if entry.name not in _NEVER and not _ignored(path, True, ignoring):
                     yield from self.folder(path, ignoring)
-            elif entry.is_file() and self._known(path) and not _ignored(path, False, ignoring):
+            elif entry.is_file() and meant(path, self._configs) and not _ignored(path, False, ignoring):
                 yield Target(path, False)
 
-    def _known(self, path: str) -> bool:
-        if path.endswith(paths.PART):
-            return False
-        if paths.extension(path) in self._extensions:
-            return True
-        return self._configs.of(path).dialect_of(path) is not None
+
+def meant(path: str, configs: Configs) -> bool:
+    """Whether a file that is found in a folder may be a program: by its extension, or by what is configured."""
+    if path.endswith(paths.PART):
+        return False
+    return paths.extension(path) in known_extensions() or configs.of(path).dialect_of(path) is not None
 
 
 def _repository(folder: str) -> tuple[_Ignoring, ...]:

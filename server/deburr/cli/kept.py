@@ -8,7 +8,7 @@ from deburr import paths
 from deburr.catalogue import known_rules
 from deburr.cli.build import build
 from deburr.cli.fingerprint import digest
-from deburr.cli.run import Outcome
+from deburr.cli.run import Outcome, asked
 from deburr.finding import Finding, Fix, Place, Related, Severity
 from deburr.ran import Aside
 from deburr_grammar.dialects import NAMES
@@ -92,6 +92,7 @@ def _outcome(entry: dict[str, Any], file: str, fail_on: Severity) -> Outcome:
         asides=tuple(_aside(*each) for each in entry["asides"]),
         keys=keys,
         kept=True,
+        asked=asked(map(_text, entry["texts"]), map(_text, entry["folders"])),
     )
 
 

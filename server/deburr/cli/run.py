@@ -58,6 +58,8 @@ class Outcome(NamedTuple):
     """By what each finding is known again; none if nobody asked."""
     kept: bool = False
     """Whether it was found by an earlier check."""
+    asked: frozenset[str] = frozenset()
+    """The files that were asked for, and the folders, with `/` at their ends; none if nobody wants to know."""
 
 
 class Fixes(NamedTuple):
@@ -80,6 +82,8 @@ class Options(NamedTuple):
     """Which fixes are made; None: none."""
     keys: bool = False
     """Whether findings are to be known again."""
+    asked: bool = False
+    """Whether outcomes are to say what they hang on."""
 
 
 class Checker:
@@ -126,7 +130,8 @@ class Checker:
         run, inputs = _Runs(), inputs_for(self._options.inputs, self._options.values, dialect)
         runs = run if config.runs else None
         ruleset, host = self._ruleset(opening), self._host(name)
-        if self._keeper is not None:
+        needs = None
+        if self._keeper is not None or self._options.asked:
             from deburr.needs import Needs
 
             host = needs = Needs(host)
@@ -145,8 +150,9 @@ class Checker:
             run.misgiven,
             asides=tuple(run.asides),
             keys=keys,
+            asked=asked(needs.texts, needs.folders) if needs is not None else frozenset(),
         )
-        if self._keeper is not None and name == file:
+        if self._keeper is not None and needs is not None and name == file:
             self._keeper.keep(self._keeper.name(file, found.data, config), outcome, needs)
         return outcome
 
@@ -175,6 +181,11 @@ class Checker:
 
     def _host(self, name: str) -> Host:
         return self._disk if name else NoFiles()
+
+
+def asked(texts: Iterable[str], folders: Iterable[str]) -> frozenset[str]:
+    """What an outcome hangs on besides its program."""
+    return frozenset((*texts, *(f"{folder.rstrip('/')}/" for folder in folders)))
 
 
 class _Runs:
