@@ -32,7 +32,9 @@ def test_a_program_is_read_mended_and_expanded(task: Task, room: Room) -> None:
         row = int(task.error[0].partition(":")[0])
         faulty = task.files[task.main].split("\n")[row - 1]
 
-        assert len({name for _, name in colours(opened.line(faulty))}) > 1, "the line is coloured"
+        # Up to the fault: behind it, hints may already stand between the words.
+        start = faulty[: faulty.index(task.fault) + len(task.fault)]
+        assert len({name for _, name in colours(opened.line(start))}) > 1, "the line is coloured"
         expect(opened.editor().locator(".squiggly-error").first).to_be_attached()
 
         opened.command("Problems: Focus on Problems View")
