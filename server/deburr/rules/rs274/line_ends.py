@@ -28,47 +28,65 @@ Good (whole):
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.finding import Fix
 from deburr.fix import Broken
 from deburr.rule import Report, Severity, Whole, rule
+from deburr_grammar.chunk import Chunk
 from deburr_grammar.document import Piece
 from deburr_grammar.text import Edit, Pos, Span
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
 
-_JOINED = r"\S[^\S\r\n]*\r[^\S\n]*\S"
+_ENDED = r"\S[^\S\r\n]*\r[^\S\n]*"
+"""Something before a carriage return, and the blank lines behind it that no line feed ends."""
+_BLANK = re.compile(r"[^\S\n]*")
+
+
+class _Ends(NamedTuple):
+    """Where in a chunk something stands before a carriage return: one that something follows there, and one that nothing follows in the chunk."""
+
+    joined: int | None
+    last: int | None
 
 
 @rule(Severity.ERROR, Whole())
 def check(analysis: "Analysis") -> Iterator[Report]:
     """Report the first line that runs into the next: where there is one, there are mostly many."""
-    for piece, following in pairwise((*analysis.document.pieces(), None)):
-        assert piece is not None
-        if (at := _joined(piece, following)) is not None:
-            index = bisect_right(piece.chunk.starts, at) - 1
-            text = piece.chunk.line(index)
-            span = Span(len(text) - len(text.lstrip()), len(text.rstrip()))
-            message = "a carriage return alone ends no line: the control reads this line and the next as one; save the file with line feeds"
-            yield Report(span, message, piece.line + index)
+    before: tuple[Piece, int] | None = None
+    for piece in analysis.document.pieces():
+        chunk = piece.chunk
+        if before is not None and (first := chunk.text[_BLANK.match(chunk.text).end() :][:1]):  # type: ignore[union-attr]  # it matches nothing, too
+            if first != "\n":
+                yield _report(*before)
+                return
+            before = None
+        ends = _ends(chunk)
+        if ends.joined is not None:
+            yield _report(piece, ends.joined)
             return
+        if ends.last is not None:
+            before = piece, ends.last
 
 
-def _joined(piece: Piece, following: Piece | None) -> int | None:
-    """Where in a chunk something stands before a carriage return that something follows."""
-    chunk = piece.chunk
+def _ends(chunk: Chunk) -> _Ends:
     if "joined lines" not in chunk.memo:
-        match = re.search(_JOINED, chunk.text) if "\r" in chunk.text else None
-        chunk.memo["joined lines"] = match.start() if match else None
-    found: int | None = chunk.memo["joined lines"]
-    if found is not None or following is None or not chunk.text.endswith("\r"):
-        return found
-    last = chunk.starts[-2]
-    match = re.search(_JOINED, chunk.text[last:] + following.chunk.text)
-    return last + match.start() if match and match.start() < len(chunk.text) - last else None
+        found = list(re.finditer(rf"{_ENDED}(?=\S|\Z)", chunk.text)) if "\r" in chunk.text else []
+        inside = next((match.start() for match in found if match.end() < len(chunk.text)), None)
+        last = next((match.start() for match in found if match.end() == len(chunk.text)), None)
+        chunk.memo["joined lines"] = _Ends(inside, last)
+    ends: _Ends = chunk.memo["joined lines"]
+    return ends
+
+
+def _report(piece: Piece, at: int) -> Report:
+    index = bisect_right(piece.chunk.starts, at) - 1
+    text = piece.chunk.line(index)
+    span = Span(len(text) - len(text.lstrip()), len(text.rstrip()))
+    message = "a carriage return alone ends no line: the control reads this line and the next as one; save the file with line feeds"
+    return Report(span, message, piece.line + index)
 
 
 def fix(broken: Broken) -> Iterator[Fix]:
