@@ -79,6 +79,8 @@ class Protocol(LanguageServerProtocol):
             method not in self.fm.features and method not in self.fm.builtin_features and method != types.CANCEL_REQUEST
         ):
             wrong = (METHOD_NOT_FOUND, f"`{method}` is not known here")
+        elif is_request and method != types.EXIT and _is_notification(method):
+            wrong = (INVALID_REQUEST, f"`{method}` is a notification, which has no `id`")
         else:
             return True
         if is_request:
@@ -101,3 +103,9 @@ class Protocol(LanguageServerProtocol):
     def _refuse(self, number: Any, code: int, message: str) -> None:
         assert self.writer is not None
         self.writer.write(error_for(number, code, message))
+
+
+def _is_notification(method: str) -> bool:
+    """Whether nobody answers a method."""
+    kinds = types.METHOD_TO_TYPES.get(method)
+    return kinds is not None and kinds[1] is None
