@@ -37,7 +37,9 @@ class Idle:
         self._plan()
 
     def later(self, seconds: float, work: Work) -> None:
-        """Do this, too, when some seconds have passed."""
+        """Do this, too, when some seconds have passed; never where the loop has ended, as work that is given up then may ask for."""
+        if self._loop.is_closed():
+            return
         self._coming += 1
         self._loop.call_later(seconds, self._come, work)
 
