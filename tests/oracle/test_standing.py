@@ -1,8 +1,6 @@
 """Moves that hang on where the tool stands: those that LinuxCNC's interpreter refuses are those in which something is found."""
 
 import math
-import os
-import subprocess
 from collections.abc import Sequence
 from itertools import accumulate, chain, pairwise
 from pathlib import Path
@@ -14,6 +12,7 @@ from deburr.analysis import Analysis
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
+from support.oracle import complaints
 from support.pages import MemoryHost
 
 pytestmark = pytest.mark.oracle
@@ -24,18 +23,7 @@ PLANES = {"G17": ("XY", "IJ"), "G18": ("XZ", "IK"), "G19": ("YZ", "JK")}
 
 def refused(program: str, folder: Path, *given: str) -> set[int]:
     """The numbers of the lines that the interpreter refuses; it goes on behind each."""
-    (folder / "p.ngc").write_text(program)
-    (folder / "p.var").touch()
-    done = subprocess.run(
-        ["rs274", "-g", "-n", "0", "-v", "p.var", *given, "p.ngc"],
-        cwd=folder,
-        env={**os.environ, "HOME": str(folder)},
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-    )
-    said = done.stderr.split("\n")
+    said = complaints(program, folder, *given)
     return {int(line[1:].split()[0]) for line in said if line.startswith("N") and line[1:2].isdigit()}
 
 

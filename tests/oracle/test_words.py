@@ -1,9 +1,7 @@
 """Lines of random words under known states: what the interpreter accepts has no error, and what it refuses has one, but for reasons that are listed."""
 
-import os
 import random
 import re
-import subprocess
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -15,6 +13,7 @@ from deburr.finding import Severity
 from deburr.ruleset import RuleSet
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document
+from support.oracle import complaints
 
 RS274 = by_name("rs274")
 RULES = RuleSet(RS274)
@@ -53,19 +52,8 @@ def refused(cases: Sequence[Case], folder: Path) -> dict[int, str]:
     text: list[str] = []
     for number, (state, line) in enumerate(cases):
         text += [f"N900000{each}" for each in (*RESET, *state)] + [f"N{number}{line}"]
-    (folder / "p.ngc").write_text("\n".join([*text, "M2", ""]))
-    (folder / "p.var").touch()
     (folder / "tools.tbl").write_text("".join(f"T{n} P{n} D0.001\n" for n in range(1, 100)))
-    done = subprocess.run(
-        ["rs274", "-g", "-n", "0", "-t", "tools.tbl", "-v", "p.var", "p.ngc"],
-        cwd=folder,
-        env={**os.environ, "HOME": str(folder)},
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-    )
-    said = done.stderr.split("\n")
+    said = complaints("\n".join([*text, "M2", ""]), folder, "-t", "tools.tbl")
     found = {}
     for message, echo in pairwise(said):
         echoed = re.match(r"N(\d+)", echo)

@@ -20,6 +20,22 @@ class Verdict:
     echo: str
 
 
+def complaints(program: str, folder: Path, *options: str) -> list[str]:
+    """What the interpreter says of all lines of a program: with `-n 0` it goes on behind each that it refuses, so that one run judges many."""
+    (folder / "p.ngc").write_text(program)
+    (folder / "p.var").touch()
+    done = subprocess.run(
+        ["rs274", "-g", "-n", "0", *options, "-v", "p.var", "p.ngc"],
+        cwd=folder,
+        env={**os.environ, "HOME": str(folder)},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    return done.stderr.split("\n")
+
+
 def judged(program: str, folder: Path, files: Mapping[str, str] | None = None) -> Verdict:
     """Run a program in a scratch folder with a home of its own: the interpreter truncates files in both."""
     for name, text in {"p.ngc": program, "p.var": "", **(files or {})}.items():

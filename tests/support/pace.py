@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from time import process_time
 from types import FrameType
 from typing import Any, NamedTuple
+from unittest import mock
 
 from benchmarks.corpus import cam, macro, mixed
 from benchmarks.macros import macros
@@ -45,9 +46,10 @@ class Pace:
         self.steps: list[Step] = []
         self.total = 0.0
         self._seen: Counter[tuple[str, ...]] = Counter()
-        self._begun = self._garbage = 0.0
-        self._inside = False
+        self._begun = 0.0
+        self._garbage = 0.0
         """Seconds of a step in which garbage was looked for."""
+        self._inside = False
         signal.signal(signal.SIGPROF, self._look)
         gc.callbacks.append(self._collected)
 
@@ -152,13 +154,12 @@ def drive(measure: Pace | Effort, dialect: str, text: str) -> None:
     def started(self: idle.Idle, key: object, work: idle.Work, *, urgent: bool = False) -> None:
         start(self, key, measure.measured(work), urgent=urgent)
 
-    idle.Idle.start = started  # type: ignore[method-assign]
-    try:
-        with Inside({"textDocument": {"publishDiagnostics": {}}}) as server:
-            server.open(_URI, text, dialect)
-            server.settle()
-    finally:
-        idle.Idle.start = start  # type: ignore[method-assign]
+    with (
+        mock.patch.object(idle.Idle, "start", started),
+        Inside({"textDocument": {"publishDiagnostics": {}}}) as server,
+    ):
+        server.open(_URI, text, dialect)
+        server.settle()
 
 
 def program(dialect: str, lines: int, kind: str) -> str:

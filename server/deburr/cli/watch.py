@@ -140,7 +140,7 @@ def _is_written(path: str) -> bool:
     """Whether standard output or standard error goes into a file."""
     for stream in (sys.stdout, sys.stderr):
         try:
-            if os.path.samestat(os.stat(path), os.fstat(stream.fileno())):  # noqa: PTH116
+            if os.path.samestat(os.stat(path), os.fstat(stream.fileno())):  # noqa: PTH116  # pathlib knows no open stream
                 return True
         except (OSError, ValueError):
             continue

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr.formats.tools import read
 from deburr.modal import Modal, State, modal_of
-from deburr.rule import Line
+from deburr.rule import Line, Report
 from deburr.rules.rs274._moves import LINEAR, STAYS, Change, Modes, Way, change_of, counts, only_named, without_words
-from deburr.rules.rs274._words import values, words
+from deburr.rules.rs274._words import Words, report, said, values, words
 from deburr_grammar.line import LineNode
 
 if TYPE_CHECKING:
@@ -116,9 +116,21 @@ def faults(analysis: Analysis, watch: Watch) -> Iterator[tuple[int, str] | None]
         here = walk.behind(passed, here)
         passed.clear()
         way = walk.through(piece, state)
-        said = [(move.line, watch.judge(Move(move.modes, _at(move.start, here), move.numbers))) for move in way.open]
-        yield from ((piece.line + index, why) for index, why in sorted([*way.faults, *said]) if why)
+        judged = [(move.line, watch.judge(Move(move.modes, _at(move.start, here), move.numbers))) for move in way.open]
+        yield from ((piece.line + index, why) for index, why in sorted([*way.faults, *judged]) if why)
         here = _at(way.end, here)
+
+
+def reports(analysis: Analysis, watch: Watch, number_of: Callable[[Words], int]) -> Iterator[Report | None]:
+    """The same as reports on a word of each line: ``number_of`` tells which one. None where the work can be left."""
+    for fault in faults(analysis, watch):
+        if fault is None:
+            yield None
+            continue
+        at, why = fault
+        line = Line(analysis.document.node(at), analysis.settings)
+        number = number_of(words(line))
+        yield report(line, number, f"`{said(line, number)}` {why}")._replace(line=at)
 
 
 class _Walk:

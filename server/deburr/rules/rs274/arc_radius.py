@@ -108,12 +108,11 @@ from math import hypot
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
-from deburr.rule import Line, Report, Severity, Whole, rule
+from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._moves import Modes, arc_modes
-from deburr.rules.rs274._position import Move, Watch, faults
-from deburr.rules.rs274._words import ARCS, node, said, words
+from deburr.rules.rs274._position import Move, Watch, reports
+from deburr.rules.rs274._words import ARCS
 from deburr_grammar.dialects.rs274.modality import AXES
-from deburr_grammar.text import Span
 
 
 class _Limits(NamedTuple):
@@ -155,16 +154,9 @@ _DIAMETER = "; under `G7` X is a diameter, and I and R are none"
 @rule(Severity.ERROR, Whole())
 def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the arcs."""
-    for fault in faults(analysis, _WATCH):
-        if fault is None:
-            yield None
-            continue
-        at, why = fault
-        line = Line(analysis.document.node(at), analysis.settings)
-        found = words(line)
-        number = found.first(*(AXES | {"I", "J", "K"} if ARCS.isdisjoint(found.has) else ARCS))
-        word = node(line, number)
-        yield Report(Span(word.start, word.end), f"`{said(line, number)}` {why}", at)
+    yield from reports(
+        analysis, _WATCH, lambda found: found.first(*(AXES | _CENTRES if ARCS.isdisjoint(found.has) else ARCS))
+    )
 
 
 def _why(arc: Move) -> str:

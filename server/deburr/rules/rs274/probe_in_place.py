@@ -35,25 +35,18 @@ import re
 from collections.abc import Iterator
 
 from deburr.analysis import Analysis
-from deburr.rule import Line, Report, Severity, Whole, rule
+from deburr.rule import Report, Severity, Whole, rule
 from deburr.rules.rs274._moves import LINEAR, MUST_PROBE, Modes, probe_modes
-from deburr.rules.rs274._position import Move, Watch, faults
-from deburr.rules.rs274._words import report, said, words
+from deburr.rules.rs274._position import Move, Watch, reports
 from deburr_grammar.dialects.rs274.modality import AXES
 
 
 @rule(Severity.ERROR, Whole())
 def check(analysis: Analysis) -> Iterator[Report | None]:
     """Report the probe moves."""
-    for fault in faults(analysis, _WATCH):
-        if fault is None:
-            yield None
-            continue
-        at, why = fault
-        line = Line(analysis.document.node(at), analysis.settings)
-        found = words(line)
-        number = found.first(*(AXES if MUST_PROBE.isdisjoint(found.has) else MUST_PROBE))
-        yield report(line, number, f"`{said(line, number)}` {why}")._replace(line=at)
+    yield from reports(
+        analysis, _WATCH, lambda found: found.first(*(AXES if MUST_PROBE.isdisjoint(found.has) else MUST_PROBE))
+    )
 
 
 def _why(probe: Move) -> str:
