@@ -141,7 +141,11 @@ class Workbench:
     def open(self, file: str) -> None:
         """Open a file in the editor; for the first one, the window too."""
         if self._there:
-            self._until(f".tab.active [aria-label*='{file}']", lambda: self._named(self.files / file))
+            # By its whole path: a file of that name in another folder may be what the dialog still offers.
+            path = self.files / file
+            self._until(
+                f".tab.active [aria-label$='{path.relative_to(self._folder.parent)}']", lambda: self._named(path)
+            )
         else:
             host = self._address.removeprefix("http://")
             payload = json.dumps([["openFile", f"vscode-remote://{host}{self.files}/{file}"]])

@@ -43,7 +43,7 @@ class World:
     machine: Mapping[int, float]
 
     @staticmethod
-    @lru_cache(maxsize=8)
+    @lru_cache(maxsize=256)
     def of(tracked: frozenset[str], machine: tuple[tuple[int, float], ...]) -> World:
         """The world of these parameters and values."""
         return World(tracked, dict(machine))
