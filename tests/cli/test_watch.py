@@ -133,6 +133,36 @@ def test_a_log_in_the_folder_starts_none(tmp_path: Path) -> None:
     assert "watching again" not in (tmp_path / "log.txt").read_text()
 
 
+def test_a_log_starts_none_while_the_configuration_is_at_fault(tmp_path: Path) -> None:
+    """Whoever hands on what a check says, such as `tee`, writes into the folder each time that it says something."""
+    (tmp_path / "a.ngc").write_text(CLEAN)
+    (tmp_path / "deburr.toml").write_text('extend = "base.conf"\n')
+    (tmp_path / "base.conf").write_text("[check]\nselct = []\n")
+    running = Watched(tmp_path)
+    try:
+        running.until(f"watching {tmp_path.as_posix()}")
+        for _ in range(2):
+            for name in ("run.log", "log.txt", "base.conf.log"):
+                with (tmp_path / name).open("a") as log:
+                    log.write(running.said)
+            time.sleep(0.5)
+        # A program that comes is one more that the same is said of; what is at fault may be mended.
+        (tmp_path / "b.ngc").write_text(FAULTY)
+        time.sleep(0.5)
+        (tmp_path / "base.conf").write_text("[check]\nselect = []\n")
+        assert "All checks passed (2 checked, 1 skipped" in running.until("watching again")
+        (tmp_path / "deburr.toml").write_text("[machine\n")
+        assert "deburr.toml:1:9: " in running.until("watching again", 2)
+        (tmp_path / "run.log").write_text(running.said)
+        (tmp_path / "b.ngc").write_text(CLEAN)
+        time.sleep(0.5)
+        (tmp_path / "deburr.toml").unlink()
+        running.until("watching again", 3)
+        assert running.said.count("did you mean `select`") == 1
+    finally:
+        running.end()
+
+
 def test_without_the_library_the_way_out_is_said(shell, monkeypatch):
     shell.write("a.ngc", CLEAN)
     monkeypatch.setitem(sys.modules, "watchfiles", None)

@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import re
 import sys
 from collections.abc import Callable, Iterator, Sequence
 
@@ -65,16 +66,25 @@ class Concern:
         self._known: frozenset[str] | None = None
         self._extensions: frozenset[str] = frozenset()
         self._messages = ""
+        self._faults: frozenset[str] = frozenset()
+        self._last: frozenset[str] = frozenset()
 
     def forget(self) -> None:
         """A check begins: what it hangs on is not known before it has come through."""
         self._known = None
+        self._faults = frozenset()
+
+    def fail(self, faults: Sequence[str]) -> None:
+        """A check could not come through: what the one before it hung on may come back, and what is said to be at fault may be mended."""
+        self._known = self._last
+        self._faults = frozenset(map(str.casefold, faults))
 
     def hear(self, outcomes: Sequence[Outcome]) -> None:
         """What a check hangs on: its programs and all that they asked for. A file that is no program is none of it."""
         programs = (outcome.file for outcome in outcomes if outcome.dialect is not None or outcome.failure)
         self._messages = "\n".join(finding.message for each in outcomes for finding in each.findings).casefold()
         self._known = frozenset(map(_key, (*programs, *(path for each in outcomes for path in each.asked))))
+        self._last = self._known
         self._extensions = frozenset(paths.extension(each) for each in self._known if not each.endswith("/"))
 
     def has(self, path: str, modified: bool) -> bool:
@@ -84,7 +94,7 @@ class Concern:
         key, name = _key(path), path.rpartition("/")[2]
         if self._known is None or key in self._known or key in self._inputs:
             return True
-        if name == ".gitignore" or name.endswith(".toml"):
+        if name == ".gitignore" or name.endswith(".toml") or self._is_at_fault(key):
             return True
         if paths.is_folder(path):
             return not modified
@@ -101,6 +111,10 @@ class Concern:
             return True
         return any(each.startswith(f"{key}/") for each in known)
 
+    def _is_at_fault(self, key: str) -> bool:
+        named = re.compile(rf"{re.escape(key)}(?![\w.-])")
+        return any(map(named.search, self._faults))
+
     def _is_program(self, path: str) -> bool:
         arguments = self._arguments
         try:
@@ -108,8 +122,9 @@ class Concern:
             if not meant(path, configs):
                 return False
             found = Opener(configs, arguments.dialect).opened(Target(path, False))
-        except ConfigError:
-            return True
+        except ConfigError as error:
+            # As long as the same is wrong with its configuration, no program can make any difference but one that has gone.
+            return not paths.exists(path) or not self._faults.issuperset(map(str.casefold, error.messages))
         return not isinstance(found, Unopened) or bool(found.failure)
 
 
@@ -119,6 +134,7 @@ def _once(check: Check, concern: Concern) -> None:
         check(concern.hear)
     except ConfigError as error:
         unable(error.messages)
+        concern.fail(error.messages)
     sys.stdout.flush()
 
 
