@@ -1,5 +1,7 @@
 """`deburr expand` of MetaGCODE: test steps, values, snippets."""
 
+import pytest
+
 LOOP = "#LOOP1 |Depth| 2 c\nG1 Z-|Depth|\n#ENDLOOP1\n"
 
 
@@ -68,5 +70,44 @@ def test_a_name_that_nothing_reads_is_warned_of(shell):
     ran = shell.run("expand", "pocket.mgc", "-D", "Depth=2", "-D", "Deep=1", "-D", "Detph=3")
     expected = "deburr: warning: -D Detph: the program never reads `|Detph|`; did you mean `Depth`?\n"
     assert ran == (0, "G0 Z1\nG1 Z-2\n", expected)
+    assert "`|DEEP|`; did you mean `Deep`?" in shell.run("expand", "pocket.mgc", "-D", "DEEP=1").err
     shell.write("part.vars", "Depth=2\nDeep=1\nLength=4\n")
     assert shell.run("expand", "pocket.mgc", "--variables", "part.vars").err == ""
+
+
+FAULTY = {
+    "an open block": ("G0 X|a|\n#IF1 |b| equalto 1 n\n", "block-unclosed"),
+    "a line": ("G0 X|a|\n#IF1 |b| is 1 n\n#ENDIF1\n", "if-operator"),
+}
+
+
+@pytest.mark.parametrize("name", FAULTY)
+def test_a_name_that_nothing_reads_is_warned_of_beside_a_fault_of_form(shell, name):
+    text, rule = FAULTY[name]
+    shell.write("part.mgc", text)
+    given = ("-D", "a=1", "-D", "b=2")
+    assert "warning" not in shell.run("expand", "part.mgc", *given).err
+    ran = shell.run("expand", "part.mgc", *given, "-D", "zz=3")
+    assert ran.code == 1 and f"error[metagcode.{rule}]" in ran.err
+    assert ran.err.startswith("deburr: warning: -D zz: the program never reads `|zz|`\n")
+    # Where programs are joined, faults of form are the run's to find.
+    shell.write("more.mgc", "G0 Y|c|\n")
+    ran = shell.run("expand", "part.mgc", "more.mgc", *given, "-D", "c=3", "-D", "zz=3")
+    assert ran.code == 1 and ran.err.count("warning: -D") == 1 and "`|zz|`" in ran.err
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        # A bar is missing, or both; a text is missing, or a misspelt line may name it.
+        "G0 X|zz Y1\n",
+        "G0 Y|b|\n#LOOP1 zz 1 c\n#ENDLOOP1\n",
+        "#FILE gone.mgc\n",
+        "#FILE\n",
+        "#FIEL zz.mgc\n",
+    ],
+)
+def test_nothing_is_said_of_names_that_a_fault_may_hide(shell, text):
+    shell.write("part.mgc", text)
+    ran = shell.run("expand", "part.mgc", "-D", "zz=3")
+    assert ran.code == 1 and "warning: -D" not in ran.err

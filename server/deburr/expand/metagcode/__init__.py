@@ -1,8 +1,8 @@
 """The interpreter of MetaGCODE: `run`."""
 
-from deburr.expand.metagcode.phases import run, worth_running
+from deburr.expand.metagcode.phases import run, unread, worth_running
 
-__all__ = ["CHECKS", "FOLLOWS", "JOINS", "run", "worth_running"]
+__all__ = ["CHECKS", "FOLLOWS", "JOINS", "run", "unread", "worth_running"]
 
 FOLLOWS = ("decimals",)
 CHECKS = True

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from deburr.expand.metagcode.build import Run
 from deburr.expand.metagcode.form import CROSSES, line_faults, tie
 from deburr.expand.metagcode.gather import Gathered, Gatherer
-from deburr.expand.metagcode.values import unread, values_of
+from deburr.expand.metagcode.unread import unread_names
+from deburr.expand.metagcode.values import values_of
 from deburr.fault import Fault, Halt
 
 if TYPE_CHECKING:
@@ -28,9 +29,8 @@ def run(job: Job) -> Iterator[None]:
     on_lines, on_blocks = list[Fault](), list[Fault]()
     for reached in gatherer.reached:
         yield from _kept(line_faults(reached, job.ruleset), on_lines)
-    snippets = {(reached.file, each.row) for reached in gatherer.reached for each in reached.source.includes}
-    in_gathering = [fault for fault in on_lines if (fault.file, fault.line) in snippets]
-    _refuse(job, gatherer.faults + in_gathering, gatherer.alone)
+    _refuse(job, _in_gathering(gatherer, on_lines), gatherer.alone)
+    job.unread += unread_names(job, gatherer.reached, on_lines)
     yield from gatherer.flatten(gathered)
     yield from _kept(tie(gathered), on_blocks)
     if any(fault.kind == "unknown-directive" for fault in on_lines) and not job.inputs.reached_only:
@@ -48,8 +48,24 @@ def run(job: Job) -> Iterator[None]:
             job.meet(fault)
     values, of_values = values_of(job)
     _refuse(job, of_values[:1], gatherer.alone)
-    job.unread += unread(job, (reached.source.text.document for reached in gatherer.reached))
     yield from Run(job, gathered, values, gatherer.alone).steps()
+
+
+def unread(job: Job) -> Iterator[str]:
+    """What there is to say of values that were given by name where no run begins; nothing where not all of the texts could be gathered."""
+    gatherer = Gatherer(job)
+    for _ in gatherer.gather():
+        pass
+    found = (fault for reached in gatherer.reached for fault in line_faults(reached, job.ruleset))
+    on_lines = [fault for fault in found if fault is not None]
+    if not _in_gathering(gatherer, on_lines):
+        yield from unread_names(job, gatherer.reached, on_lines)
+
+
+def _in_gathering(gatherer: Gatherer, on_lines: list[Fault]) -> list[Fault]:
+    """What keeps the text from being gathered: snippets that are not there, and lines that name none."""
+    snippets = {(reached.file, each.row) for reached in gatherer.reached for each in reached.source.includes}
+    return gatherer.faults + [fault for fault in on_lines if (fault.file, fault.line) in snippets]
 
 
 def _kept(found: Iterator[Fault | None], faults: list[Fault]) -> Iterator[None]:

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.fault import Fault
 from deburr.formats.variables import Defect, Values, read_values
 from deburr.host import NoFiles
 from deburr.includes import beside
-from deburr.suggest import suggestion
 from deburr_grammar.dialects.metagcode.forms import names
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
     from deburr.expand.job import Job
-    from deburr_grammar.document import Document
 
 _IMPROPER = (
     (
@@ -54,21 +52,6 @@ def values_of(job: Job) -> tuple[dict[str, str], list[Fault]]:
         faults = [_unread(job, path)] if text is None else [_broken(path, defect) for defect in read.defects]
     faults += [fault for each in given for fault in _improper(job, each)]
     return {each.name: each.text for each in given}, faults
-
-
-def unread(job: Job, documents: Iterable[Document]) -> Iterator[str]:
-    """What there is to say of values that were given by name for the run, and to which none of its texts refers."""
-    given = [name.strip(" \t") for name in job.inputs.typed]
-    known = {name for document in documents for name in _referred(document)} if given else set()
-    for name in given:
-        if name not in known:
-            yield f"-D {name}: the program never reads `|{name}|`{suggestion(name, known)}"
-
-
-def _referred(document: Document) -> Iterator[str]:
-    for chunk in document.chunks():
-        for line in chunk.lines if "|" in chunk.text else ():
-            yield from (name for _, name in names(line))
 
 
 def _unread(job: Job, path: str) -> Fault:
