@@ -18,6 +18,7 @@ import pytest
 from benchmarks.editor import Clock
 
 from deburr.cli.main import main
+from deburr.lsp.idle import SLICE
 from deburr.lsp.previews import wanted_of
 from deburr_grammar.dialects import NAMES
 from support.cases import Case, cases
@@ -186,8 +187,7 @@ def test_a_keystroke_is_answered_while_an_endless_program_runs(launch: Callable[
     client.settle()
     beside = waits(client, uri)
     assert number not in client._answers
-    # The quickest: on a busy machine the server also works on while this process waits for its turn to look.
-    assert min(beside) < 5 * median(alone) + 0.025
+    assert median(beside) < 5 * median(alone) + 0.025
     client.notify("$/cancelRequest", {"id": number})
     with pytest.raises(Refused) as refused:
         client.result(number)
@@ -227,8 +227,9 @@ def test_a_message_waits_for_no_more_than_a_slice_of_a_run() -> None:
         inside.loop.run_until_complete(looking(inside))
         assert not [each for each in inside.said if each.get("id") == number]
         inside.notify("$/cancelRequest", {"id": number})
-    assert sum(slices) > 0.01, "the program runs meanwhile"
     assert median(slices) < 0.025
+    # A look behind each short step would starve the thread that reads the messages.
+    assert median(slices) > SLICE / 2
 
 
 def refreshed(inside: Inside) -> list[str]:

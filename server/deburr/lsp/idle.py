@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterator
 from time import monotonic
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop
@@ -13,6 +13,20 @@ SLICE = 0.002
 """Seconds that a message may have to wait for work of ours."""
 
 Work = Iterator[None] | Generator[None, None, Any]
+T = TypeVar("T")
+
+
+def driven(work: Iterator[T]) -> T:
+    """Drive work for a slice; what its last step said. StopIteration at its end.
+
+    A look at the messages behind each short step would starve the thread that reads them: Python hands it the turn only
+    when nobody else has given theirs away and taken it back for as long as it waits.
+    """
+    until = monotonic() + SLICE
+    while True:
+        said = next(work)
+        if monotonic() >= until:
+            return said
 
 
 class Idle:

@@ -7,6 +7,7 @@ from collections.abc import Generator
 from itertools import count
 from typing import TYPE_CHECKING, NamedTuple
 
+from deburr.lsp.idle import driven
 from deburr.lsp.progress import Progress
 from deburr.motion.follow import following
 from deburr.motion.form import form_of
@@ -63,7 +64,7 @@ class Plots:
             work = _following(name, made, wanted.simulate)
             while server.previews.holds(wanted, made):
                 try:
-                    moves = next(work)
+                    moves = driven(work)
                 except StopIteration as done:
                     toolpath: Toolpath = done.value
                     return Plotted(next(self._stamps), made, toolpath, scale(toolpath))

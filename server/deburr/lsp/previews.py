@@ -20,6 +20,7 @@ from deburr.ide.expansion import Expanded, expanding, instead
 from deburr.inputs import EDITOR
 from deburr.lsp.capabilities import EXPANDED
 from deburr.lsp.convert import uri_to_file
+from deburr.lsp.idle import driven
 from deburr.lsp.progress import Progress
 from deburr.needs import Needs
 
@@ -152,7 +153,7 @@ class Previews:
         ):
             while _same(self._views(wanted) or (), views):
                 try:
-                    steps = next(work)
+                    steps = driven(work)
                 except StopIteration as done:
                     return Made(views, needs, done.value)
                 progress.say(f"{steps:,} blocks executed" if steps else "checking")

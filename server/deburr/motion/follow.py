@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from deburr.motion.path import Path
 
-SLICE = 2_000
+SLICE = 250
 """Lines between two moments at which the work can be left."""
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing
-from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
@@ -15,7 +14,7 @@ from deburr.ide.create import missing_file
 from deburr.ide.fixes import quick_fixes
 from deburr.ide.refactor import Cannot, NewFile
 from deburr.ide.refactorings import FIX_ALL, Offer, Rebuilt, everything, offers, rebuilding, rebuilt
-from deburr.lsp.idle import SLICE
+from deburr.lsp.idle import driven
 from deburr.lsp.progress import Progress
 from deburr.lsp.report import diagnostics
 from deburr.lsp.server import Server, feature
@@ -78,10 +77,8 @@ async def _worked_out(server: Server, view: View, data: Any, place: tuple[Pos, P
         closing(rebuilding(view, str(data.get("name")), *place)) as work,
     ):
         while data.get("version") == _version(server, data["uri"]):
-            until = monotonic() + SLICE
             try:
-                while monotonic() < until:
-                    next(work)
+                driven(work)
             except StopIteration as done:
                 found: Rebuilt = done.value
                 return found
