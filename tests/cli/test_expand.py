@@ -390,6 +390,27 @@ def test_what_the_control_sets_itself_cannot_be_given(shell, command):
     assert shell.run(command, "-q", "a.ngc", "-D", "5419=1").code == 0
 
 
+@pytest.mark.parametrize("command", ["expand", "check"])
+@pytest.mark.parametrize("name", ["_metric", "#<_Feed>", "_x", "_value", "_current_tool", "_line"])
+def test_a_predefined_name_that_follows_from_the_program_cannot_be_given(shell, command, name):
+    shell.write("a.ngc", "G21\nG0 X[#<_metric> + #<_x>]\nM2\n")
+    plain = name.strip("#<>").lower()
+    said = f"deburr: error: -D {name.removeprefix('#')}=7: the control sets `#<{plain}>` itself; programs can only read it\n"
+    assert shell.run(command, "a.ngc", "-D", f"{name}=7") == (2, "", said)
+
+
+def test_what_only_the_machine_knows_can_be_given_by_its_name(shell):
+    shell.write("a.ngc", "G21\no1 if [#<_task> EQ 1]\nG0 X#<_HAL[spindle at]> (debug,#<_ini[a]b>)\no1 endif\nM2\n")
+    given = ["-D", "_task=1", "-D", "_hal[spindleat]=2.5", "-D", "#<_ini[a]b>=4"]
+    ran = shell.run("expand", "a.ngc", *given)
+    assert ran == (0, "G21\nG0 X2.5 (MSG,4.000000)\nM2\n", "")
+    assert shell.run("expand", "a.ngc", *given, "--machine-values", "simulate", "-D", "_task=0").out == "G21\nM2\n"
+    assert "; -D _ini[a]b=... gives it\n" in shell.run("expand", "a.ngc", *given[:4]).err
+    # A name counts without its blanks, as the control has it.
+    shell.write("b.ngc", "G0 X#<wi dth>\nM2\n")
+    assert shell.run("expand", "b.ngc", "-D", "w idth=3") == (0, "G0 X3\nM2\n", "")
+
+
 @pytest.mark.parametrize("fault", ["", "G0 X[1/0]\n", "G0 X1 (a (b) c)\no<unclosed> if [1]\n"])
 def test_a_misspelt_name_is_warned_of_where_nothing_is_run_either(shell, fault):
     shell.write("a.ngc", f"G21\n{fault}o<deep> call\nM2\n")

@@ -30,7 +30,6 @@ def run(job: Job) -> Iterator[None]:
     for reached in gatherer.reached:
         yield from _kept(line_faults(reached, job.ruleset), on_lines)
     _refuse(job, _in_gathering(gatherer, on_lines), gatherer.alone)
-    job.unread += unread_names(job, gatherer.reached, on_lines)
     yield from gatherer.flatten(gathered)
     yield from _kept(tie(gathered), on_blocks)
     if any(fault.kind == "unknown-directive" for fault in on_lines) and not job.inputs.reached_only:
@@ -41,13 +40,15 @@ def run(job: Job) -> Iterator[None]:
         # `#FILE` is followed wherever it stands; all other lines only count where they are come to.
         for fault in of_form:
             job.held.hold(fault._replace(input=fault.input or gatherer.alone))
-    else:
+    elif of_form:
+        job.unread += unread_names(job, gatherer.reached, on_lines)
         _refuse(job, of_form, gatherer.alone)
     for fault in on_blocks:
         if fault.kind == CROSSES or not job.inputs.reached_only:
             job.meet(fault)
     values, of_values = values_of(job)
     _refuse(job, of_values[:1], gatherer.alone)
+    job.unread += unread_names(job, gatherer.reached, on_lines)
     yield from Run(job, gathered, values, gatherer.alone).steps()
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from deburr.expand.rs274.values import name_of
+from deburr_grammar.dialects.rs274.names import name_of
 
 if TYPE_CHECKING:
     from deburr.expand.rs274.source import Spot

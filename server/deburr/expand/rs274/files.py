@@ -8,11 +8,13 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
+from deburr.expand.rs274.machine import may_be_given
 from deburr.expand.rs274.state import READ_ONLY
 from deburr.expand.rs274.unit import Unit
 from deburr.formats.parameters import read
 from deburr.steps import done
 from deburr.suggest import suggestion
+from deburr_grammar.dialects.rs274.names import name_of
 from deburr_grammar.document import Document
 
 if TYPE_CHECKING:
@@ -54,19 +56,19 @@ def called_files(unit: Unit, load: Callable[[str], Unit | None]) -> Iterator[Uni
 
 def unread(job: Job, unit: Unit, load: Callable[[str], Unit | None]) -> Iterator[str]:
     """What there is to say of values that were given for the run, and that neither the program nor a file that it calls mentions."""
-    given = {name: name.strip().removeprefix("#").strip("<>").lower() for name in job.inputs.typed}
+    given = {name: name_of(name) for name in job.inputs.typed}
     files = list(called_files(unit, load)) if given else []
     if None in files:
         return
     text = "\n".join(file.document.text for file in files if file is not None).lower()
-    names = {"".join(said.split()) for said in _NAMED.findall(text)}
+    names = set(map(name_of, _NAMED.findall(text)))
     numbers = {int(said) for said in _INDEX.findall(text)}
     for said, name in given.items():
         if name.isascii() and name.isdigit():
             # Numbers from 5000 on mean something to the control, and others can be calculated.
             if int(name) < _OWN and int(name) not in numbers and not _CALCULATED.search(text):
                 yield f"-D {said}: the program never reads `#{name}`"
-        elif "".join(name.split()) not in names:
+        elif name not in names:
             yield f"-D {said}: the program never reads `#<{name}>`{suggestion(name, names)}"
 
 
@@ -90,7 +92,7 @@ def _define(state: State, name: str, said: str) -> None:
     value = float(said) if _NUMBER.fullmatch(said) else math.inf
     if not math.isfinite(value):
         raise state.job.unusable("param-range", f"{name}={said}", "the value is no number")
-    plain = name.strip("<>").lower()
+    plain = name_of(name)
     if plain.isascii() and plain.isdigit():
         if not 1 <= int(plain) <= state.last:
             message = f"parameters go from 1 to {state.last}"
@@ -99,5 +101,8 @@ def _define(state: State, name: str, said: str) -> None:
             message = f"the control sets `#{int(plain)}` itself; programs can only read it"
             raise state.job.unusable("param-readonly", f"{name}={said}", message)
         state.params[int(plain)] = value
+    elif state.machine.named(plain) is not None and not may_be_given(plain):
+        message = f"the control sets `#<{plain}>` itself; programs can only read it"
+        raise state.job.unusable("param-readonly", f"{name}={said}", message)
     else:
         (state.globals if plain.startswith("_") else state.locals)[plain] = value

@@ -37,6 +37,7 @@ _ROUGHING = frozenset(("G", code) for code in (710, 711, 712, 720, 721, 722))
 """Cycles that end where only the control can say. One that finishes ends with its contour."""
 _VERSION = 2.9
 _OF_MACHINE = frozenset(("_current_pocket", "_selected_pocket", "_remap_level", "_task", "_vmajor", "_vminor"))
+_OUTSIDE = ("_hal[", "_ini[", "_abs_")
 
 
 class Machine:
@@ -106,7 +107,7 @@ class Machine:
         own = self._own(name)
         if own is not None:
             return own
-        if name in _OF_MACHINE or name.startswith(("_hal[", "_ini[", "_abs_")):
+        if may_be_given(name):
             return lambda spot: self._outside(name, spot)
         return None
 
@@ -243,9 +244,19 @@ class Machine:
         return self.state.fault(kind, source.file, source.row, source.span(part), message)
 
     def _outside(self, name: str, spot: Spot) -> float:
+        given = self.state.globals.get(name)
+        if given is not None:
+            return given
         if self._simulate and name in _SIMULATED:
             return _SIMULATED[name]
-        return self._known(None, f"#<{name}>", "the machine", spot)
+        way = self.state.job.inputs.ways.define.format(f"{name}=...")
+        message = f"`#<{name}>` hangs on the machine, which only the machine knows here; {way} gives it"
+        raise self._fault("runtime-value", spot, message)
+
+
+def may_be_given(name: str) -> bool:
+    """Whether a predefined name is of what only the machine knows, unless a run is told; all others follow from the program."""
+    return name in _OF_MACHINE or name.startswith(_OUTSIDE)
 
 
 _SIMULATED = {"_task": 0.0, "_vmajor": _VERSION, "_vminor": 0.0, "_remap_level": 0.0}

@@ -18,8 +18,8 @@ from deburr.expand.rs274.shapes import needs_run
 from deburr.expand.rs274.state import State
 from deburr.expand.rs274.turning import turns_by_radius
 from deburr.expand.rs274.unit import COPIED, ELSEWHERE, END, PAUSED, Unit
-from deburr.expand.rs274.values import name_of
 from deburr.fault import Entered, Halt
+from deburr_grammar.dialects.rs274.names import name_of
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:

@@ -10,6 +10,7 @@ from deburr.arithmetic.rs274 import TOLERANCE, atan, function, number, operation
 from deburr.expand.rs274.source import Source, Spot
 from deburr.expand.rs274.state import READ_ONLY
 from deburr.suggest import suggestion
+from deburr_grammar.dialects.rs274.names import name_of
 from deburr_grammar.tree import Node, Token
 
 if TYPE_CHECKING:
@@ -290,8 +291,3 @@ class Values:
             names[name] = value
 
         return put
-
-
-def name_of(said: str) -> str:
-    """A parameter's name from `<Name>`: lower case, without blanks."""
-    return "".join(said.split()).strip("<>").lower()

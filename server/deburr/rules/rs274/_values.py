@@ -6,6 +6,7 @@ from deburr.analysis import Analysis
 from deburr.arithmetic import ArithmeticFault
 from deburr.arithmetic.rs274 import constant
 from deburr.rule import Line, Report
+from deburr_grammar.dialects.rs274.names import name_of
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token, walk
 
@@ -45,7 +46,7 @@ def name(line: Line, param: Node) -> str | None:
     said = param.children[1]
     if said.kind != "NAME":
         return None
-    return "".join(line.text[said.start : said.end].split()).strip("<>").lower()
+    return name_of(line.text[said.start : said.end])
 
 
 def asked(line: Line, param: Node) -> bool:
@@ -55,4 +56,4 @@ def asked(line: Line, param: Node) -> bool:
 
 def given(analysis: Analysis) -> frozenset[str]:
     """The parameters that a run is given values for: names as the control compares them, and numbers."""
-    return frozenset(said.strip().removeprefix("#").strip("<>").lower() for said in analysis.inputs.define)
+    return frozenset(map(name_of, analysis.inputs.define))

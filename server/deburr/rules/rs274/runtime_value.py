@@ -2,7 +2,7 @@
 
 What a probe has touched, an input has shown or where `G28` leads is known when the machine stands
 there, not before. A flat program with a guess in it would be wrong on the machine, so nothing is
-expanded; `--machine-values simulate` answers as the stand-alone interpreter does, for a look at the rest.
+expanded; `--machine-values simulate` answers as the stand-alone interpreter does, for a look at the rest. What `#<_hal[...]>`, `#<_ini[...]>` and `#<_task>` hold can be given: `-D "_hal[motion.feed]=1"`.
 
 `check` cannot know what the machine holds and does not report it; `expand` refuses.
 

@@ -12,6 +12,7 @@ from deburr.arithmetic.rs274 import TOLERANCE, atan, canonical, function, number
 from deburr.values import operations as on
 from deburr.values.domain import ANY, EITHER, Value, exactly, joined, read
 from deburr.values.graph import Env, Proof
+from deburr_grammar.dialects.rs274.names import name_of
 from deburr_grammar.line import LineNode
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
@@ -105,7 +106,7 @@ class Expressions:
     def name(self, param: Node) -> str | None:
         """The name of a named parameter as the control compares it; None for a numbered one."""
         said = param.children[1]
-        return "".join(self.said(said).split()).strip("<>").lower() if said.kind == "NAME" else None
+        return name_of(self.said(said)) if said.kind == "NAME" else None
 
     def literal(self, param: Node) -> int | None:
         """The number of a parameter that is written out and of which values are known."""

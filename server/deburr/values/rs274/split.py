@@ -15,6 +15,7 @@ from deburr.values.rs274.flow import Builder
 from deburr.values.rs274.lines import Several, Taken, taken
 from deburr.values.rs274.made import Torn
 from deburr_grammar.dialect import Role
+from deburr_grammar.dialects.rs274.names import name_of
 
 if TYPE_CHECKING:
     from deburr.analysis import Analysis
@@ -190,7 +191,7 @@ def _acts(kinds: frozenset[str]) -> bool:
 
 def _start(analysis: Analysis, graph: Graph) -> Env:
     """What the main program starts with: its own names have no value, but for those that the run is given."""
-    given = {said.strip().removeprefix("#").strip("<>").lower() for said in analysis.inputs.define}
+    given = set(map(name_of, analysis.inputs.define))
     return unset(graph.locals - given, True)
 
 
