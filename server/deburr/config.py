@@ -11,6 +11,7 @@ from deburr.rule import Rule
 from deburr.ruleset import RuleSet
 from deburr.schema import CHECK, HINTS, LENSES
 from deburr.selection import Selection, selected
+from deburr.stateful import STEPS
 from deburr_grammar.dialect import Dialect, Setting
 
 
@@ -119,9 +120,10 @@ class Config:
 
 
 class RuleSets:
-    """The rule sets that were made: one for all files of a dialect that are configured alike."""
+    """The rule sets that were made: one for all files of a dialect that are configured alike. ``steps``: as of `RuleSet`."""
 
-    def __init__(self) -> None:
+    def __init__(self, steps: int = STEPS) -> None:
+        self._steps = steps
         self._made: dict[tuple[str, int, tuple[str, ...]], tuple[Config, RuleSet]] = {}
 
     def of(self, dialect: Dialect, config: Config, file: str) -> RuleSet:
@@ -129,11 +131,11 @@ class RuleSets:
         ignored = config.ignored(file)
         key = (dialect.name, id(config), ignored)
         if key not in self._made:
-            self._made[key] = (config, made(dialect, config, ignored))
+            self._made[key] = (config, made(dialect, config, ignored, self._steps))
         return self._made[key][1]
 
 
-def made(dialect: Dialect, config: Config, ignored: Sequence[str] = ()) -> RuleSet:
+def made(dialect: Dialect, config: Config, ignored: Sequence[str] = (), steps: int = STEPS) -> RuleSet:
     """The rule set that a configuration means."""
     graded = {name: severity for name, (severity, _) in config.severities.items()}
     off = Selection(ignore=tuple(name for name, severity in graded.items() if severity is None))
@@ -143,7 +145,7 @@ def made(dialect: Dialect, config: Config, ignored: Sequence[str] = ()) -> RuleS
         return selected(rule, layers, ignored)
 
     severities = {name: severity for name, severity in graded.items() if severity is not None}
-    return RuleSet(dialect, settings_of(dialect, config), on, severities, machine_of(config))
+    return RuleSet(dialect, settings_of(dialect, config), on, severities, machine_of(config), steps)
 
 
 def settings_of(dialect: Dialect, config: Config) -> dict[str, Any]:

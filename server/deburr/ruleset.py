@@ -24,7 +24,7 @@ from deburr.rule import (
     Whole,
     covers,
 )
-from deburr.stateful import Stateful, stateful_of
+from deburr.stateful import STEPS, Stateful, stateful_of
 from deburr_grammar.dialect import Dialect, Reading
 from deburr_grammar.document import Piece
 from deburr_grammar.line import LineNode, Shape
@@ -80,10 +80,13 @@ class RuleSet:
         selected: Callable[[Rule], bool] = lambda rule: rule.default,
         severities: Mapping[str, Severity] | None = None,
         machine: Mapping[str, Any] | None = None,
+        steps: int = STEPS,
     ) -> None:
         self.dialect = dialect
         self.machine: Mapping[str, Any] = machine or {}
         """What `[machine]` says, key by key; what is not said is not there."""
+        self.steps = steps
+        """How many steps of shapes under modal state are kept with it."""
         defaults = {setting.name: setting.default for setting in dialect.settings}
         self.settings: Mapping[str, Any] = {**defaults, **(settings or {})}
         self._all = rules_of(dialect.name)

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from deburr_grammar.line import Shape
 
 _STATES = 10_000
+STEPS = 8_192
+"""Steps of shapes kept under all states together, if nobody says another number: a library comes with the same ones again and again."""
 
 
 class Said(NamedTuple):
@@ -53,14 +55,12 @@ class _Steps(dict["Shape", "_Step | None"]):
 class Stateful:
     """The rules on modal state of a rule set; make one with `stateful_of`."""
 
-    MOST = 8_192
-    """Steps of shapes kept under all states together: a library comes with the same ones again and again, someone who types with a new one at every key."""
-
     def __init__(self, ruleset: RuleSet, modal: Modal) -> None:
         self._ruleset = ruleset
         self._modal = modal
         self._steps: dict[tuple[State, str], _Steps] = {}
         self._count = 0
+        self._most = ruleset.steps
 
     def findings(self, document: Document) -> Iterator[tuple[Piece, Said]]:
         """What the rules say of a program; kept with each chunk under the state before it."""
@@ -129,7 +129,7 @@ class Stateful:
         return steps
 
     def _step(self, steps: _Steps, shape: Shape) -> _Step | None:
-        if self._count >= self.MOST:
+        if self._count >= self._most:
             self._count = 0
             for known in self._steps.values():
                 known.clear()

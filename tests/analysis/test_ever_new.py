@@ -10,8 +10,8 @@ from weakref import WeakSet
 
 import pytest
 
-from deburr import stateful
 from deburr.analysis import Analysis
+from deburr.lsp.settings import Settings
 from deburr.ruleset import RuleSet
 from deburr.values import ledger, proving
 from deburr.values.cgt.commands import Commands
@@ -59,13 +59,13 @@ def go_through(dialect: str, text: str) -> None:
 @pytest.mark.parametrize("dialect", NAMES)
 def test_shapes_that_no_document_holds_are_let_go(dialect: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Shapes, "LIMIT", FEW)
-    monkeypatch.setattr(stateful.Stateful, "MOST", FEW)
+    few = RuleSet(by_name(dialect), steps=FEW)
     seen: WeakSet[Shape] = WeakSet()
     for number in range(TYPED):
         text = f"X1 ; {word(number)}" if dialect == "cgt" else f"{word(number)} ="
         document = Document.parse(f"G1 X1\n{text}\n", by_name(dialect))
         seen.update(document.node(line).shape for line in range(2))
-        for _ in Analysis(document, ruleset(dialect), "a").gathering(lambda found: iter(())):
+        for _ in Analysis(document, few, "a").gathering(lambda found: iter(())):
             pass
     del document
     gc.collect()
@@ -89,3 +89,10 @@ def test_what_is_kept_of_values_is_bounded_by_lines(dialect: str, monkeypatch: p
     # Both have been full.
     assert min(graphs.lines, values.lines) > BOUND * 3 // 4
     assert max(len(graphs), len(values)) < TYPED, (len(graphs), len(values))
+
+
+def test_what_an_editor_keeps_bounds_no_other_rule_set() -> None:
+    complaints: list[str] = []
+    dialect = by_name("rs274")
+    editors = Settings(complaints.append).ruleset(dialect, "/nowhere/a.ngc").steps
+    assert (editors < RuleSet(dialect).steps, complaints) == (True, [])

@@ -44,6 +44,22 @@ def test_definition(dialect: str, text: str, others: dict[str, str], found: list
 
 
 @pytest.mark.parametrize(
+    ("call", "settings", "found"),
+    [
+        ("GOP", {"cmos-dir": "cmos"}, ["/job/cmos/5.z32"]),
+        ("GOS", {"cmos-dir": "cmos"}, ["/job/cmos-temp/05.z32"]),
+        ("GOP", {}, ["/job/main.z32"]),
+        ("GOS", {}, ["/job/main.z32"]),
+    ],
+)
+def test_the_program_that_a_number_calls(call: str, settings: dict[str, str], found: list[str]) -> None:
+    """Folders of programs are asked, temporary ones for GOS; without one, sections of the file (spec/z32.md §6.4, §10)."""
+    text = f"(P)\n!{call}5<|>!\nM30\n:5\nG26\n"
+    view, pos = at_cursor("z32", text, settings, {"cmos/5.z32": "G1\nG26\n", "cmos-temp/05.z32": "G0\nG26\n"})
+    assert [spot.file for spot in definition(view, pos)] == found
+
+
+@pytest.mark.parametrize(
     ("dialect", "text", "others", "found"),
     [
         ("rs274", SUBS.replace("#<x>=1", "#<<|>x>=1"), {}, ["main:2:x", "main:3:x"]),

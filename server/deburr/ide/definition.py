@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from deburr.ide.related import uses
 from deburr.ide.view import Spot
-from deburr.symbols import Act, Symbol, language_of
+from deburr.symbols import Act, Sort, Symbol, language_of
 from deburr.symbols.index import Placed, at
 from deburr_grammar.text import Pos, Span
 
@@ -22,7 +22,10 @@ def definition(view: View, pos: Pos) -> list[Spot]:
 
 def definitions(view: View, placed: Placed) -> list[Spot]:
     """The places that define what is named; without any, its file, or where it is set."""
-    symbol = placed.mention.symbol
+    symbol, act = placed.mention.symbol, placed.mention.act
+    if symbol.sort is Sort.SECTION and act is Act.CALL and (file := file_of(view, symbol)):
+        # Where programs have files of their own, a call leads to no section of this one.
+        return [Spot(file, 0, Span(0, 0))]
     defining = _spots(view, placed, Act.DEFINE)
     if defining:
         return [spot for spot in defining if spot.file == view.file] or defining

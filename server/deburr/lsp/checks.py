@@ -17,7 +17,6 @@ from deburr.ide.held import Held
 from deburr.ide.moved import found_anew, moved, structural
 from deburr.lsp.checked import Checked, learning, once, order, release
 from deburr.needs import Needs
-from deburr.stateful import Stateful
 from deburr.steps import let_go, paced
 from deburr.symbols.index import reading
 
@@ -34,8 +33,6 @@ BREATH = 0.03
 MOMENT = 0.01
 """Seconds after which what a check leaves behind is let go: an edit is often followed by questions about it. Less than a breath, so that it is done between two keys."""
 _READING = "names"
-_STEPS = 1_024
-"""Steps of shapes that are kept with a rule set: of those that come with every key, few are met again."""
 PAUSE = 0.1
 """Seconds without an edit after which the programs that depend on what was edited are checked again."""
 
@@ -50,7 +47,6 @@ class Checks:
     def __init__(
         self, session: Session, idle: Idle, say: Callable[[str], None], failed: Callable[[Exception], None]
     ) -> None:
-        Stateful.MOST = _STEPS
         self._session = session
         self._idle = idle
         self._say = say

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 SAID_BY = "the editor's settings"
 HINTS = "inlay-hints"
 LENSES = "code-lens"
+_STEPS = 1_024
+"""Steps of shapes under modal state that are kept with a rule set: someone who types comes with a new one at every key, and few are met again."""
 
 
 class Settings:
@@ -32,7 +34,7 @@ class Settings:
     def reload(self) -> None:
         """Read the configuration files anew."""
         self.configs = Configs(self._top)
-        self._rulesets = RuleSets()
+        self._rulesets = RuleSets(_STEPS)
         self._bad: dict[str, Config] = {}
         self._given: dict[object, RuleSet] = {}
         self._said.clear()
@@ -87,7 +89,7 @@ class Settings:
         top = from_command_line({f"{dialect.name}.{name}": value for name, value in values.items()}, Selection())
         key = (dialect.name, file, tuple(values.items()))
         if key not in self._given:
-            self._given[key] = made(dialect, top.over(self.of(file)))
+            self._given[key] = made(dialect, top.over(self.of(file)), steps=_STEPS)
         return self._given[key]
 
     def _once(self, error: ConfigError) -> None:

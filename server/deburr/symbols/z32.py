@@ -52,6 +52,12 @@ _KEYWORDS = {"IF", "EB", "CP", "PC", "GON", "GOP", "GOS"}
 _PARAMETERS = ("NAME", "OTHER", "ALIAS_NAME")
 
 
+class Temporary(Symbol):
+    """The number of a temporary program, behind GOS. It equals that of any other program: without folders both are sections of the file."""
+
+    __slots__ = ()
+
+
 def names(document: Document) -> None:
     """A line says it all."""
 
@@ -78,7 +84,8 @@ def file(symbol: Symbol, file: str, ruleset: RuleSet, host: Host) -> str | None:
     if symbol.sort is Sort.FILE and ruleset.settings["file-root"]:
         found = stores.found_files(host, stores.beside(file, str(ruleset.settings["file-root"])), symbol.name)
     elif symbol.sort is Sort.SECTION and symbol.name.isdigit() and ruleset.settings["cmos-dir"]:
-        folder = stores.beside(file, str(ruleset.settings["cmos-dir"]))
+        store = str(ruleset.settings["cmos-dir"])
+        folder = stores.beside(file, stores.temporary(store) if isinstance(symbol, Temporary) else store)
         found = stores.own_files(host, folder, int(symbol.name))
     else:
         return None
@@ -208,7 +215,9 @@ def _numbers(text: str, node: Node) -> Iterator[Mention]:
         return
     inner = Span(number.start, number.end)
     span = Span(node.start, number.end) if node.kind == "nword" else inner
-    yield Mention(Symbol(sort, _canonical(text[inner.start : inner.end])), acts[node.kind], span, inner)
+    is_temporary = node.children[0].kind == "GOS"
+    named = (Temporary if is_temporary else Symbol)(sort, _canonical(text[inner.start : inner.end]))
+    yield Mention(named, acts[node.kind], span, inner)
 
 
 def _canonical(number: str) -> str:
