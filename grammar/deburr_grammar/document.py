@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Hashable, Iterator
+from collections.abc import Callable, Collection, Hashable, Iterator, Sequence
 from functools import cached_property
 from itertools import islice, pairwise
-from typing import NamedTuple, TypeVar
+from typing import Generic, NamedTuple, TypeVar
 
 from deburr_grammar.chunk import SIZE, Branch, Chunk, grown
 from deburr_grammar.dialect import Bracket, Dialect, Reading
@@ -20,6 +20,8 @@ from deburr_grammar.structure import Balance, Fault, StructureFault
 from deburr_grammar.text import Edit, Pos, cut_points
 
 S = TypeVar("S", bound=Hashable)
+T = TypeVar("T")
+G = TypeVar("G")
 
 
 class Piece(NamedTuple):
@@ -68,6 +70,17 @@ class Piece(NamedTuple):
     def _distinct(self, first: int, stop: int) -> Collection[Shape]:
         shapes = self.chunk.shapes
         return self.chunk.distinct if stop - first == len(shapes) else set(shapes[first:stop])
+
+
+class Gathering(NamedTuple, Generic[G]):
+    """What is gathered from pieces. It may hang on a piece's text, its readings and ``key`` alone, and is kept with chunks and branches.
+
+    ``join`` is given what parts come to that stand one behind the other, or a piece alone.
+    """
+
+    key: Hashable
+    of: Callable[[Piece], G]
+    join: Callable[[Sequence[G]], G]
 
 
 class _Way(NamedTuple):
@@ -227,54 +240,68 @@ class Document:
 
         ``cut`` leaves what is wanted of many: what a whole loses so, its parts may lose before they are united. It belongs to the key.
         """
-        return self._gathered(self._root, self._outliner.start, key, of, cut)
+        return self.joined(Gathering(key, of, lambda parts: cut(_united(parts))))
 
     def gathering(self, key: Hashable, of: Callable[[Piece], frozenset[S]]) -> Iterator[None]:
         """Find what `gathered` gives without a ``cut``, in work that can be left behind each chunk."""
-        yield from self._gathering(self._root, self._outliner.start, key, of)
+        return self.joining(Gathering(key, of, _united))
 
     def holding(self, key: Hashable, of: Callable[[Piece], frozenset[S]], item: S) -> Iterator[Piece]:
         """The pieces that hold an item of what is `gathered`, in order; branches without it are passed over."""
-        waiting: list[tuple[Branch | Chunk, Before, int]] = [(self._root, self._outliner.start, 0)]
+        found = self.led(Gathering(key, of, _united), None, lambda _, held: item in held, lambda state, _: state)
+        return (piece for piece, _ in found)
+
+    def joined(self, gathering: Gathering[G]) -> G:
+        """What all pieces come to."""
+        return self._joined(self._root, self._outliner.start, gathering)
+
+    def alone(self, piece: Piece, gathering: Gathering[G]) -> G:
+        """What a piece comes to."""
+        return self._joined(piece.chunk, piece.before, gathering)
+
+    def joining(self, gathering: Gathering[G]) -> Iterator[None]:
+        """Find what `joined` gives, in work that can be left behind each chunk."""
+        yield from self._joining(self._root, self._outliner.start, gathering)
+
+    def led(
+        self, gathering: Gathering[G], start: T, wanted: Callable[[T, G], bool], behind: Callable[[T, G], T]
+    ) -> Iterator[tuple[Piece, T]]:
+        """The pieces that are wanted, in order, with the state before each that goes through the program; branches that are not wanted are passed over.
+
+        ``wanted`` and ``behind`` are given the state before a part, and what is gathered from it.
+        """
+        waiting: list[tuple[Branch | Chunk, Before, T, int]] = [(self._root, self._outliner.start, start, 0)]
         while waiting:
-            node, before, line = waiting.pop()
-            if item not in self._gathered(node, before, key, of, lambda found: found):
+            node, before, state, line = waiting.pop()
+            if not wanted(state, self._joined(node, before, gathering)):
                 continue
             if isinstance(node, Chunk):
-                yield Piece(line, node, before, self._outliner.outlined(node, before))
+                yield Piece(line, node, before, self._outliner.outlined(node, before)), state
                 continue
             inner = []
             for child, held in self._outliner.inner(node, before):
-                inner.append((child, held, line))
+                inner.append((child, held, state, line))
+                state = behind(state, self._joined(child, held, gathering))
                 line += child.eols
             waiting += reversed(inner)
 
-    def _gathering(
-        self, node: Branch | Chunk, before: Before, key: Hashable, of: Callable[[Piece], frozenset[S]]
-    ) -> Iterator[None]:
-        if (key, self._outliner.key(node, before)) in node.memo:
+    def _joining(self, node: Branch | Chunk, before: Before, gathering: Gathering[G]) -> Iterator[None]:
+        if (gathering.key, self._outliner.key(node, before)) in node.memo:
             return
         for child, held in self._outliner.inner(node, before) if isinstance(node, Branch) else ():
-            yield from self._gathering(child, held, key, of)
-        self._gathered(node, before, key, of, lambda found: found)
+            yield from self._joining(child, held, gathering)
+        self._joined(node, before, gathering)
         yield
 
-    def _gathered(
-        self,
-        node: Branch | Chunk,
-        before: Before,
-        key: Hashable,
-        of: Callable[[Piece], frozenset[S]],
-        cut: Callable[[frozenset[S]], frozenset[S]],
-    ) -> frozenset[S]:
-        full = (key, self._outliner.key(node, before))
-        found: frozenset[S] | None = node.memo.get(full)
+    def _joined(self, node: Branch | Chunk, before: Before, gathering: Gathering[G]) -> G:
+        full = (gathering.key, self._outliner.key(node, before))
+        found: G | None = node.memo.get(full)
         if found is None:
             if isinstance(node, Chunk):
-                found = cut(of(Piece(0, node, before, self._outliner.outlined(node, before))))
+                found = gathering.join((gathering.of(Piece(0, node, before, self._outliner.outlined(node, before))),))
             else:
                 inner = self._outliner.inner(node, before)
-                found = cut(frozenset[S]().union(*(self._gathered(child, held, key, of, cut) for child, held in inner)))
+                found = gathering.join([self._joined(child, held, gathering) for child, held in inner])
             self._outliner.keep(node, full, found)
         return found
 
@@ -376,3 +403,8 @@ def _chunks(node: Branch | Chunk) -> Iterator[Chunk]:
         return
     for child in node.children:
         yield from _chunks(child)
+
+
+def _united(parts: Sequence[frozenset[S]]) -> frozenset[S]:
+    first, *others = parts
+    return first.union(*others) if others else first

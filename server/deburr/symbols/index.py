@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Generator, Hashable, Iterable, Iterator, Sequence
-from functools import cached_property, partial
-from heapq import merge, nsmallest
+from collections.abc import Callable, Generator, Hashable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
+from heapq import nsmallest
 from itertools import islice
-from operator import attrgetter, itemgetter
+from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from deburr.steps import done, kept
 from deburr.symbols import SOUGHT, Act, Language, Mention, Sort, Symbol, language_of
 from deburr_grammar.behind import rests
 from deburr_grammar.dialect import Bracket, Reading, Role
+from deburr_grammar.document import Gathering
 
 if TYPE_CHECKING:
     from deburr_grammar.document import Document, Piece
@@ -25,8 +26,6 @@ Region = tuple[str, str | None] | None
 
 Placings = dict[Symbol, list[tuple[int, "Mention"]]]
 """Mentions by symbol, with their lines counted from the first of a piece."""
-_Local = tuple[Symbol, Region]
-"""A local symbol and its region."""
 _SEVERAL = 2
 """So often something is counted."""
 _FEW = 16
@@ -43,6 +42,20 @@ class Placed(NamedTuple):
     line: int
     mention: Mention
     region: Region
+
+
+class Tally(NamedTuple):
+    """How often local symbols are named in each region of a part of a program, twice at most, and the region that is open behind it."""
+
+    named: Mapping[Region, Mapping[Symbol, int]]
+    last: Region
+
+
+class Opened(NamedTuple):
+    """The regions that a part of a program opens, and the one that is open behind it."""
+
+    regions: frozenset[Region]
+    last: Region
 
 
 class _Regions:
@@ -114,16 +127,20 @@ def between(document: Document, first: int, last: int) -> Iterator[tuple[int, Me
         looked, line = piece.line, piece.line + piece.chunk.eols
 
 
-def locals_of(document: Document, where: Region) -> dict[Symbol, int]:
+def locals_of(document: Document, where: Region) -> Mapping[Symbol, int]:
     """The local symbols that are named in a region, and how often; more than once is twice."""
-    index, found = _Index.of(document), dict[Symbol, int]()
+    index = _Index.of(document)
     if index is None:
-        return found
-    for piece, inherits in index.entered(where):
-        tallied = index.tallied(piece)
-        for at in (where, _INHERITED) if inherits else (where,):
-            for symbol, several in tallied.get(at, {}).items():
-                found[symbol] = min(found.get(symbol, 0) + several, _SEVERAL)
+        return {}
+    if where is None:
+        # Most of a program may be in no region; none is open before its first line.
+        named = document.joined(index.locals).named
+        return _counted(named.get(None, {}), named.get(_INHERITED, {}))
+    found: Mapping[Symbol, int] = {}
+    for piece, begun in index.entered(where):
+        named = document.alone(piece, index.locals).named
+        for at in (where, _INHERITED) if begun == where else (where,):
+            found = _counted(found, named.get(at, {}))
     return found
 
 
@@ -134,8 +151,8 @@ def reading(document: Document) -> Iterator[None]:
         return
     for piece in document.pieces():
         yield from index.reading(piece)
-        index.tallied(piece)
         yield
+    yield from document.joining(index.locals)
     for fold in index.folds():
         fold()
         yield
@@ -206,8 +223,8 @@ class _Index:
         self._language = language
         self._names = language.names(document)
         self.key = ("symbols", self._names)
-        self._local = ("locals", self._names)
-        self._key_opened = ("opened", document.dialect.name)
+        self.locals = Gathering(("locals", self._names), self.tally, _one_behind_the_other)
+        self._regions = Gathering(("regions", document.dialect.name), self._opens, _opened)
 
     @classmethod
     def of(cls, document: Document) -> _Index | None:
@@ -228,8 +245,6 @@ class _Index:
         for act in (Act.DEFINE, Act.SET, Act.CALL):
             yield partial(document.gathered, (self.key, act), self.doing(act))
         yield partial(document.state, _REGIONS, document.line_count - 1)
-        yield partial(document.gathered, self._key_opened, self._opened)
-        yield lambda: self._unentered
 
     def doing(self, act: Act) -> Callable[[Piece], frozenset[Symbol]]:
         """With what a piece does one thing."""
@@ -248,98 +263,39 @@ class _Index:
             found = piece.chunk.memo[key] = {act: frozenset(symbols) for act, symbols in acted.items()}
         return found
 
-    def within(self, symbol: Symbol, where: Region) -> Iterator[Piece]:
+    def within(self, symbol: Symbol, where: Region) -> Iterable[Piece]:
         """The pieces that may name a local symbol in a region, in order; what is in no piece of the region is not read for it."""
+        if where is not None:
+            return (piece for piece, _ in self.entered(where) if symbol in self.placed(piece))
+
         # Most of a program may be in no region, so what names the symbol is looked through, not the region.
-        found = self._unregioned(symbol) if where is None else self._regioned(symbol, where)
-        last = -1
-        for piece in found:
-            if piece.line != last:
-                yield piece
-            last = piece.line
+        def named(begun: Region, tally: Tally) -> bool:
+            there = (None, _INHERITED) if begun is None else (None,)
+            return any(symbol in tally.named.get(each, ()) for each in there)
 
-    def _unregioned(self, symbol: Symbol) -> Iterator[Piece]:
-        """The pieces that name a symbol on lines that are in no region."""
-        found = (piece for piece, inherits in self._unentered if inherits and symbol in self.placed(piece))
-        return merge(self._holding((symbol, None)), found, key=attrgetter("line"))
+        found = self._document.led(self.locals, None, named, lambda begun, tally: _open_behind(begun, tally.last))
+        return (piece for piece, _ in found)
 
-    def _regioned(self, symbol: Symbol, where: Region) -> Iterator[Piece]:
-        """The pieces that name a symbol and have lines of a region that one of them opens."""
-        return (piece for piece, _ in self.entered(where) if symbol in self.placed(piece))
+    def entered(self, where: Region) -> Iterator[tuple[Piece, Region]]:
+        """The pieces that have lines of a region, in order, each with the region that is open before it."""
 
-    def entered(self, where: Region) -> Iterable[tuple[Piece, bool]]:
-        """The pieces that have lines of a region and may name local symbols there, in order; and whether they begin in it."""
-        return self._unentered if where is None else self._from(where)
+        def has(begun: Region, opened: Opened) -> bool:
+            return begun == where or where in opened.regions
 
-    def _from(self, where: Region) -> Iterator[tuple[Piece, bool]]:
-        """Those of a region that one of them opens."""
-        # A part that is opened once more inside itself is come to twice.
-        inherits: dict[int, tuple[Piece, bool]] = {}
-        for left in self._document.holding(self._key_opened, self._opened, where):
-            inherits.setdefault(left.line, (left, False))
-            if _regions(self._document, left)[-1][1] == where:
-                inherits |= {piece.line: (piece, True) for piece in self._behind(left)}
-        return (inherits[line] for line in sorted(inherits))
+        return self._document.led(self._regions, None, has, lambda begun, opened: _open_behind(begun, opened.last))
 
-    @cached_property
-    def _unentered(self) -> list[tuple[Piece, bool]]:
-        """The pieces with local symbols on lines in no region, and those that begin in none."""
-        key = ("left", self._document.dialect.name)
-        first = self._document.piece(0)
-        inheriting = [first, *self._on_from(first)]
-        for left in self._document.holding(key, self._left, True):
-            inheriting += self._behind(left)
-        found = {piece.line: (piece, True) for piece in inheriting}
-        for piece in self._document.holding((self.key, "unregioned"), self._unregions, True):
-            found.setdefault(piece.line, (piece, False))
-        return [found[line] for line in sorted(found)]
-
-    def _left(self, piece: Piece) -> frozenset[bool]:
-        """Whether a piece ends in no region because it leaves one."""
+    def _opens(self, piece: Piece) -> Opened:
         regions = _regions(self._document, piece)
-        return frozenset((True,) if regions and regions[-1][1] is None else ())
+        return Opened(frozenset(region for _, region in regions), regions[-1][1] if regions else _INHERITED)
 
-    def _unregions(self, piece: Piece) -> frozenset[bool]:
-        """Whether local symbols are named in no region behind one that a piece leaves."""
-        return frozenset((True,) if None in self.tallied(piece) else ())
-
-    def _opened(self, piece: Piece) -> frozenset[Region]:
-        return frozenset(region for _, region in _regions(self._document, piece))
-
-    def _on_from(self, piece: Piece) -> Iterator[Piece]:
-        """The pieces behind one that begin in the region in which that one begins."""
-        return iter(()) if _regions(self._document, piece) else self._behind(piece)
-
-    def _behind(self, left: Piece) -> Iterator[Piece]:
-        """The pieces behind one that begin in the region in which that one ends."""
-        # The last piece may have no line end, and so none behind it.
-        while left.chunk.eols and (line := left.line + left.chunk.eols) < self._document.line_count:
-            left = self._document.piece(line)
-            if left.line != line:
-                return
-            yield left
-            if _regions(self._document, left):
-                return
-
-    def _holding(self, item: _Local) -> Iterator[Piece]:
-        return self._document.holding(self._local, self._locals, item)
-
-    def _locals(self, piece: Piece) -> frozenset[_Local]:
-        """The local symbols of a piece with their regions."""
-        return frozenset((symbol, region) for region, found in self.tallied(piece).items() for symbol in found)
-
-    def tallied(self, piece: Piece) -> dict[Region, dict[Symbol, int]]:
-        """How often a piece names its local symbols in each region, as far as it says; kept with the chunk."""
-        key = ("tallied", self._document.key(piece), self._names)
-        found: dict[Region, dict[Symbol, int]] | None = piece.chunk.memo.get(key)
-        if found is None:
-            regions, found = _regions(self._document, piece), {}
-            named = ((symbol, at) for symbol, placed in self.placed(piece).items() if symbol.local for at, _ in placed)
-            for symbol, at in named:
-                there = found.setdefault(_said(regions, at), {})
-                there[symbol] = min(there.get(symbol, 0) + 1, _SEVERAL)
-            piece.chunk.memo[key] = found
-        return found
+    def tally(self, piece: Piece) -> Tally:
+        """How often a piece names its local symbols in each region, as far as it says."""
+        regions, tallied = _regions(self._document, piece), dict[Region, dict[Symbol, int]]()
+        named = ((symbol, at) for symbol, placed in self.placed(piece).items() if symbol.local for at, _ in placed)
+        for symbol, at in named:
+            there = tallied.setdefault(_said(regions, at), {})
+            there[symbol] = min(there.get(symbol, 0) + 1, _SEVERAL)
+        return Tally(tallied, regions[-1][1] if regions else _INHERITED)
 
     def symbols(self, piece: Piece) -> frozenset[Symbol]:
         """What a piece names."""
@@ -430,6 +386,38 @@ def _in_force(regions: Sequence[tuple[int, Region]], index: int, document: Docum
     """The region of a line of a piece."""
     found = _said(regions, index)
     return document.state(_REGIONS, piece.line) if found == _INHERITED else found
+
+
+def _open_behind(begun: Region, last: Region) -> Region:
+    """The region that is open behind a part, where one is open before it and its own lines leave the last one open."""
+    return begun if last == _INHERITED else last
+
+
+def _opened(parts: Sequence[Opened]) -> Opened:
+    """The regions of parts that stand one behind the other."""
+    last = _INHERITED
+    for part in parts:
+        last = _open_behind(last, part.last)
+    return Opened(frozenset[Region]().union(*(part.regions for part in parts)), last)
+
+
+def _one_behind_the_other(parts: Sequence[Tally]) -> Tally:
+    """The tally of parts that stand one behind the other."""
+    if len(parts) == 1:
+        return parts[0]
+    named, last = dict[Region, Mapping[Symbol, int]](), _INHERITED
+    for part in parts:
+        for region, tally in part.named.items():
+            at = last if region == _INHERITED else region
+            named[at] = _counted(named[at], tally) if at in named else tally
+        last = _open_behind(last, part.last)
+    return Tally(named, last)
+
+
+def _counted(one: Mapping[Symbol, int], other: Mapping[Symbol, int]) -> Mapping[Symbol, int]:
+    """How often symbols are named in two stretches."""
+    more = {symbol: min(one.get(symbol, 0) + several, _SEVERAL) for symbol, several in other.items()}
+    return {**one, **more}
 
 
 def _in_order(symbol: Symbol) -> tuple[bool, int, str]:
