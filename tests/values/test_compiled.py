@@ -1,4 +1,4 @@
-"""RS274: what comes of a line hangs on nothing but what it is said to read, so that it may be kept for that."""
+"""RS274 and Z32: what comes of a line hangs on nothing but what it is said to read, so that it may be kept for that."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ import pytest
 
 from deburr.values import values_of
 from deburr.values.graph import Calls, Env, Node, Proof, Summary
-from deburr.values.rs274.compiled import Remembered
-from support.programs import generated
+from deburr.values.remembered import Remembered
+from support.programs import generated as rs274_program
 from support.values import analysed
+from support.z32programs import generated as z32_program
 
 SEEDS = 30
 
@@ -40,18 +41,23 @@ def found_anew(line: Remembered[Any], env: Env) -> Any:
     return line._find(env)
 
 
-def test_a_line_hangs_on_what_it_reads_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+MAKERS = {"rs274": rs274_program, "z32": z32_program}
+
+
+@pytest.mark.parametrize("dialect", MAKERS)
+def test_a_line_hangs_on_what_it_reads_alone(dialect: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Remembered, "of", found_anew)
     compared = 0
     for seed in range(SEEDS):
-        made = generated(seed)
-        program = values_of(analysed(made.text, "rs274", made.files))
+        made = MAKERS[dialect](seed)
+        program = values_of(analysed(made.text, dialect, made.files))
         for solved in program.solved.values() if program is not None else ():
+            graph = solved.solution.graph
             for at, env in solved.solution.before.items():
-                node = solved.solution.graph.nodes[at]
+                node = graph.nodes[at]
                 if node.calls or None in node.used or not node.used:
                     continue
-                narrow = {key: value for key, value in env.items() if key in node.used | node.sets}
+                narrow = {key: value for key, value in env.items() if key in node.used | node.sets | graph.hidden}
                 assert outcome(node, env, Nobody()) == outcome(node, narrow, Nobody()), (seed, at)
                 compared += 1
     assert compared > 3 * SEEDS

@@ -148,10 +148,11 @@ def test_what_is_behind_a_loop_is_gone_through_once(dialect: str, monkeypatch: p
         asked[self.graph.nodes[node].line] += 1
         passed(self, node, env)
 
-    def counted_going(self: Solution, node: int, change: Callable[[Env], Env | None], env: Env) -> None:
+    def counted_going(self: Solution, node: int, here: Node, change: Callable[[Env], Env], env: Env) -> Env | None:
         before = asked.total()
-        went_on(self, node, change, env)
-        asked[self.graph.nodes[node].line] += asked.total() == before
+        found = went_on(self, node, here, change, env)
+        asked[here.line] += asked.total() == before
+        return found
 
     monkeypatch.setattr(Solution, "_pass", counted_pass)
     monkeypatch.setattr(Solution, "_go_on", counted_going)

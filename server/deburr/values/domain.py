@@ -99,7 +99,7 @@ def between(low: float, high: float, step: int = 0, whole: bool = False) -> Valu
     """A range; a bound at infinity stands for results that are not finite, too. ``whole``: whether all are integers."""
     if math.isnan(low) or math.isnan(high):
         return WILD
-    return Value(low, high, _held(low, high, step, whole), wild=math.isinf(low) or math.isinf(high))
+    return Value(low, high, _held(low, high, step, whole), False, math.isinf(low) or math.isinf(high))
 
 
 def joined(one: Value, two: Value) -> Value:
@@ -127,7 +127,7 @@ def widened(old: Value, new: Value) -> Value:
     low = old.low if found.low >= old.low else _rest(found.low, found)
     high = old.high if found.high <= old.high else -_rest(-found.high, found)
     step = found.step if low >= -LARGEST and high <= LARGEST else 0
-    return found._replace(low=low, high=high, step=step)
+    return Value(low, high, step, found.holed, found.wild, found.unset, found.texts)
 
 
 def may_be_zero(value: Value) -> bool:
@@ -218,8 +218,10 @@ def apart(value: Value, other: Value, within: float) -> Value:
 
 def moved(value: Value, other: Value, low: float, high: float) -> Value:
     """The range of a sum or difference, on the grid that both share."""
-    step = _common(value, other, moving=True)
-    return between(low, high, step, value.whole and other.whole)
+    is_far = low < -LARGEST or high > LARGEST
+    if is_far:
+        return between(low, high, 0, value.whole and other.whole)
+    return between(low, high, math.gcd(value.step, other.step) if _has_grid(value) and _has_grid(other) else 0)
 
 
 def _held(low: float, high: float, step: int, whole: bool) -> int:
@@ -236,7 +238,8 @@ def _outward(number: float) -> float:
 def _kept(value: Value, low: float, high: float) -> Value:
     if low > high or (value.holed and low == high == 0):
         return NOTHING._replace(wild=value.wild, unset=value.unset)
-    return value._replace(low=low, high=high, step=value.step if low < high else 0)
+    step = value.step if low < high else 0
+    return Value(low, high, step, value.holed, value.wild, value.unset, value.texts)
 
 
 def _rest(low: float, value: Value) -> float:
@@ -253,17 +256,19 @@ def _rest(low: float, value: Value) -> float:
 
 def _grid(value: Value) -> tuple[int, int] | None:
     """A number of the grid and the distance, in units; the distance of a single number is 0. None: there is no grid."""
-    if value.empty or not (value.step or (value.low == value.high and _on_grid(value.low))):
-        return None
-    return _base(value), value.step
+    return (_base(value), value.step) if _has_grid(value) else None
 
 
-def _common(one: Value, two: Value, moving: bool = False) -> int:
-    """The step of the grid that holds both, or on which their sums lie; 0 if there is none."""
+def _has_grid(value: Value) -> bool:
+    if value.low == value.high:
+        return value.step != 0 or _on_grid(value.low)
+    return value.step != 0 and value.low < value.high
+
+
+def _common(one: Value, two: Value) -> int:
+    """The step of the grid that holds both; 0 if there is none."""
     a, b = _grid(one), _grid(two)
-    if a is None or b is None:
-        return 0
-    return math.gcd(a[1], b[1]) if moving else math.gcd(a[1], b[1], a[0] - b[0])
+    return 0 if a is None or b is None else math.gcd(a[1], b[1], a[0] - b[0])
 
 
 def _on_grid(number: float) -> bool:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, Protocol
 
 from deburr.finding import Severity
 from deburr.values.domain import ANY, UNSET, Value, joined, widened
@@ -102,7 +102,7 @@ class Node(NamedTuple):
     ``flow`` gives what comes next, and raises a `Proof` where nothing can. ``condition``: the columns of what decides here.
     ``doubtful``: whether something in it may fail on some way, after ``flow`` was asked. ``callee``: the routine that it calls, if that is known; ``calls``: whether it calls any.
     ``remark``: what is certain and does not stop the control, after ``flow`` was asked. ``part``: which of several nodes of its line it is.
-    ``change``: what it makes of the values, if it only ever goes on to the next line, without a remark: that is ``flow`` said shorter. None where there is a doubt.
+    ``change``: what it makes of the values, if it only ever goes on to the next node: that is ``flow`` said shorter.
     """
 
     line: int
@@ -116,7 +116,7 @@ class Node(NamedTuple):
     remark: Callable[[], Proof | None] = silent
     dead: tuple[Dead, ...] = ()
     part: int = 0
-    change: Callable[[Env], Env | None] | None = None
+    change: Callable[[Env], Env] | None = None
 
 
 class Head(NamedTuple):
@@ -145,7 +145,8 @@ class Graph:
     what it shares with others and reads or sets itself; None: who knows what. ``constants``: variables that are set at one place, and
     might as well have been given another value there. ``hasty``: it is so small, and calls so many, that it goes on with what is known of
     those that were gone through before, and once more when more is known. ``family``: what it has in common with what it was before
-    an edit; None: nobody asks. ``step``: from the number of a line's node to that of the next one.
+    an edit; None: nobody asks. ``step``: from the number of a line's node to that of the next one. ``hidden``: the variables that a node may read and
+    set without saying so; None: who knows which. ``memo``: room for what others derive from it alone.
     """
 
     nodes: Mapping[int, Node]
@@ -160,6 +161,8 @@ class Graph:
     hasty: bool = False
     family: Hashable = None
     step: int = 1
+    hidden: frozenset[Key] | None = None
+    memo: dict[str, Any] = field(default_factory=dict)
 
 
 def join(one: Env, two: Env) -> Env:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from deburr.values.graph import (
     RETURN,
@@ -12,7 +12,6 @@ from deburr.values.graph import (
     Env,
     Flows,
     Graph,
-    Head,
     Key,
     Node,
     Proof,
@@ -21,6 +20,7 @@ from deburr.values.graph import (
     silent,
     widen,
 )
+from deburr.values.region import Outcome, Parts, Region, calling, regions
 
 _PATIENCE = 2
 """Rounds in which a loop's values may grow as they like; after that they go to resting places."""
@@ -49,6 +49,8 @@ class Solution:
         self._came: dict[int, dict[int, Env]] = {node: {} for node in (*graph.nodes, RETURN, STOP)}
         self._targets: dict[int, tuple[int, ...]] = {}
         self._rounds: Counter[int] = Counter()
+        self._done = 0
+        """Nodes that were gone through."""
         self._waiting = bytearray(max(graph.nodes, default=RETURN) + 1)
         """1 at each node that is to be gone through: the first one is found faster than in any other way."""
         self.before: dict[int, Env] = {}
@@ -106,23 +108,69 @@ class Solution:
 
     def steps(self) -> Iterator[None]:
         """Find them, in work that can be left at each step. What is behind a loop is gone through with what the loop really leaves."""
-        end = max(self.graph.nodes, default=RETURN)
-        for heads, last in _outermost(self.graph.heads, end):
-            yield from self._follow(last, self._grown)
-            self._rounds.clear()
-            for head in heads:
-                self._queue(head)
-            yield from self._follow(last, self._settled)
-            self._rounds.clear()
-        yield from self._follow(end, self._grown)
+        for region in regions(self.graph):
+            yield from self._follow(region.first - 1, self._grown)
+            outside = joined_all(self._came[region.first].values())
+            is_entered_inside = self._waiting.find(1, region.first + 1, region.last + 1) >= 0
+            key = None if is_entered_inside else region.key(outside, self._forgotten)
+            known = region.found
+            if key is not None and outside is not None and known is not None and known.key == key:
+                self._take_over(region, known, outside)
+                yield
+                continue
+            yield from self._loop(region)
+            if key is not None:
+                region.found = self._outcome(region, key)
+        yield from self._follow(max(self.graph.nodes, default=RETURN), self._grown)
         if self.graph.heads:
             self._calls.again()
-            for node, env in list(self.before.items()):
-                if self.graph.nodes[node].calls:
-                    self._flows(node, env)
+            for node in calling(self.graph):
+                if node in self.before:
+                    self._flows(node, self.before[node])
         if self._is_resumed:
             self.before = dict(sorted(self.before.items()))
         del self._calls
+
+    def _loop(self, region: Region) -> Iterator[None]:
+        """Go round the loops of a region until they rest, and back to what they really leave."""
+        yield from self._follow(region.last, self._grown)
+        self._rounds.clear()
+        for head in region.heads:
+            self._queue(head)
+        yield from self._follow(region.last, self._settled)
+        self._rounds.clear()
+
+    def _outcome(self, region: Region, key: object) -> Outcome:
+        """What came of a region, as far as it concerns it."""
+        nodes = [node for node in range(region.first, region.last + 1) if node in self.before]
+        parts = Parts(region.keys)
+        return Outcome(
+            key,
+            [(node, parts.add(self.before[node]), self._ways(node, parts)) for node in nodes],
+            parts.envs,
+            {node: self.proofs[node].with_traceback(None) for node in nodes if node in self.proofs},
+            {node: self.remarks[node].with_traceback(None) for node in nodes if node in self.remarks},
+            self.doubtful.intersection(nodes),
+        )
+
+    def _ways(self, node: int, parts: Parts) -> Sequence[tuple[int, int]]:
+        return [(target, parts.add(self._came[target][node])) for target in self._targets.get(node, ())]
+
+    def _take_over(self, region: Region, known: Outcome, outside: Env) -> None:
+        """A region to which the same came before, in all that concerns it."""
+        rest = {key: value for key, value in outside.items() if key not in region.keys}
+        envs = [{**rest, **env} for env in known.envs]
+        for node, before, ways in known.nodes:
+            self.before[node] = envs[before]
+            self._waiting[node] = 0
+            self._targets[node] = tuple([target for target, _ in ways])
+            for target, env in ways:
+                self._came[target][node] = envs[env]
+                if target > region.last:
+                    self._waiting[target] = 1
+        self.proofs.update(known.proofs)
+        self.remarks.update(known.remarks)
+        self.doubtful |= known.doubtful
 
     @property
     def returned(self) -> Env | None:
@@ -159,13 +207,9 @@ class Solution:
     def _follow(self, last: int, now: Callable[[int], Env | None]) -> Iterator[None]:
         """Go on with all that waits up to a node: the first one first, so that a loop comes to rest before what is behind it."""
         waiting, nodes, heads, before = self._waiting, self.graph.nodes, self.graph.heads, self.before
-        all_came = self._came
-        done = 0
+        all_came, step = self._came, self.graph.step
         while (node := waiting.find(1, 0, last + 1)) >= 0:
             waiting[node] = 0
-            done += 1
-            if done % _PACE == 0 or nodes[node].calls:
-                yield
             came = all_came[node]
             if node in heads:
                 env = now(node)
@@ -174,13 +218,19 @@ class Solution:
             else:
                 env = joined_all(came.values())
             old = before.get(node)
-            if env is old or env == old:
-                continue
-            change = nodes[node].change
-            if env is None or change is None or self._forgotten:
-                self._pass(node, env)
-            else:
-                self._go_on(node, change, env)
+            while env is not old and env != old:
+                here = nodes[node]
+                self._done += 1
+                if self._done % _PACE == 0 or here.calls:
+                    yield
+                if env is None or here.change is None or self._forgotten:
+                    self._pass(node, env)
+                    break
+                env = self._go_on(node, here, here.change, env)
+                node += step
+                if env is None or node > last:
+                    break
+                waiting[node], old = 0, None
 
     def _grown(self, head: int) -> Env | None:
         """What comes to the head of a loop; where it comes round, with all that came before, so that it comes to rest."""
@@ -241,26 +291,26 @@ class Solution:
                 if target >= 0:
                     self._waiting[target] = 1
 
-    def _go_on(self, node: int, change: Callable[[Env], Env | None], env: Env) -> None:
-        """The same where it only goes on to the next line: most do."""
+    def _go_on(self, node: int, here: Node, change: Callable[[Env], Env], env: Env) -> Env | None:
+        """The same where it only goes on to the next node: most do. What comes there, if that is new and comes from nowhere else."""
         try:
             values = change(env)
         except Proof:
-            values = None
-        if values is None:
             self._pass(node, env)
-            return
+            return None
         self.before[node] = env
         if node in self.proofs:
             del self.proofs[node]
-        self.doubtful.discard(node)
+        self._note(node, here)
         following = node + self.graph.step
         self._targets[node] = (following,)
         came = self._came[following]
         known = came.get(node)
-        if known is not values and known != values:
-            came[node] = values
-            self._waiting[following] = 1
+        if known is values or known == values:
+            return None
+        came[node] = values
+        self._waiting[following] = 1
+        return values if len(came) == 1 and following not in self.graph.heads else None
 
     def _flows(self, node: int, env: Env) -> Flows:
         """What comes next, to each node once."""
@@ -294,22 +344,6 @@ def _once(flows: Flows) -> Flows:
     for target, values in flows:
         found[target] = join(found[target], values) if target in found else values
     return tuple(found.items())
-
-
-def _outermost(heads: Mapping[int, Head], end: int) -> list[tuple[list[int], int]]:
-    """The loops that stand in no other one, in order: the heads in each, and its last node. Loops that overlap count as one.
-
-    Of one into which ways lead from elsewhere the head does not tell where it ends: it is taken for all that follows.
-    """
-    found: list[tuple[list[int], int]] = []
-    for head in sorted(heads):
-        last = heads[head].last if heads[head].last >= head else end
-        if found and head <= found[-1][1]:
-            inside, before = found.pop()
-            found.append(([*inside, head], max(last, before)))
-        else:
-            found.append(([head], last))
-    return found
 
 
 def _held(outside: Env, both: Env, sets: Callable[[Key], bool]) -> Env:

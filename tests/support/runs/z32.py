@@ -6,7 +6,8 @@ import json
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, lru_cache
+from inspect import unwrap
 from random import Random
 
 import pytest
@@ -25,7 +26,7 @@ from deburr.values.domain import Value, joined
 from deburr.values.graph import Key
 from deburr.values.z32 import conditions
 from deburr.values.z32.expressions import ALIAS, named
-from deburr.values.z32.made import fields_of
+from deburr.values.z32.made import fields_of, made
 from deburr_grammar.document import Document
 from deburr_grammar.tree import Node
 from support.pages import MemoryHost
@@ -224,6 +225,8 @@ def _held(state: State, key: str) -> float | None:
 
 def _false_that_goes_on_as_true(patch: pytest.MonkeyPatch) -> None:
     patch.setitem(conditions._OPPOSITE, "<", "<")
+    # Lines keep what came of them.
+    patch.setattr("deburr.values.z32.flow.made", lru_cache(unwrap(made)))
 
 
 def _loops_that_all_never_end(patch: pytest.MonkeyPatch) -> None:

@@ -50,7 +50,7 @@ def rounded(apply: One) -> Lifted:
 
 def within(low: float, high: float) -> Lifted:
     """An operation of which only its bounds are known."""
-    return lambda *values: WILD if is_lost(*values) else Value(low, high)
+    return lambda *values: WILD if is_lost(values[0], values[-1]) else Value(low, high)
 
 
 def magnitude(a: Value) -> Value:

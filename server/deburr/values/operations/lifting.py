@@ -48,12 +48,17 @@ def finite(value: Value) -> Value:
     """What is left where the control looks whether a result is a number."""
     if value.wild and value.empty:
         raise Refusal("not-finite", "a result that is no finite number")
-    return value._replace(wild=False) if value.wild else value
+    return tame(value) if value.wild else value
 
 
-def is_lost(*values: Value) -> bool:
+def tame(value: Value) -> Value:
+    """The same without what is no finite number."""
+    return Value(value.low, value.high, value.step, value.holed, False, value.unset, value.texts)
+
+
+def is_lost(a: Value, b: Value) -> bool:
     """Whether nothing is known of what comes of them."""
-    return any(value.wild or value.empty for value in values)
+    return a.wild or b.wild or a.low > a.high or b.low > b.high
 
 
 def lower(number: float) -> float:

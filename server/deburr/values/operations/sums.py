@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 from deburr.values.domain import LARGEST, UNITS, WILD, Value, between, exactly, may_be_zero, moved, without_zero
-from deburr.values.operations.lifting import Lifted, Two, higher, is_lost, lower
+from deburr.values.operations.lifting import Lifted, Two, higher, is_lost, lower, tame
 
 _LITTLE = 1e290
 """What may be added to the greatest double, and is rounded away."""
@@ -29,10 +29,11 @@ def times(a: Value, b: Value) -> Value:
     """A product."""
     if is_lost(a, b):
         return WILD
-    corners = [x * y if x and y else 0.0 for x in (a.low, a.high) for y in (b.low, b.high)]
+    ys = (b.low,) if b.low == b.high else (b.low, b.high)
+    corners = [x * y if x and y else 0.0 for x in (a.low, a.high) for y in ys]
     whole = a.whole and b.whole
-    found = _bounded(between(min(corners), max(corners), _factor_step(a, b), whole), a, b, 1.0)
-    return found if may_be_zero(a) or may_be_zero(b) else found._replace(holed=_far_from_zero(a, b))
+    found = _bounded(between(min(corners), max(corners), _factor_step(a, b, whole), whole), a, b, 1.0)
+    return found if may_be_zero(a) or may_be_zero(b) or not _far_from_zero(a, b) else found._replace(holed=True)
 
 
 def divided(apply: Two) -> Lifted:
@@ -86,16 +87,17 @@ def power(apply: Two) -> Lifted:
 
 def _bounded(value: Value, a: Value, b: Value, little: float) -> Value:
     """A result that stays finite, however great one operand is, because the other is ``little`` at most."""
-    small = min(max(-a.low, a.high), max(-b.low, b.high)) <= little
-    return value._replace(wild=False) if value.wild and small else value
+    if not value.wild:
+        return value
+    return tame(value) if min(max(-a.low, a.high), max(-b.low, b.high)) <= little else value
 
 
-def _factor_step(a: Value, b: Value) -> int:
+def _factor_step(a: Value, b: Value, whole: bool) -> int:
     if a.low == a.high:
         a, b = b, a
     if b.low == b.high and b.whole and a.step:
         return a.step * abs(int(b.low))
-    return UNITS if a.whole and b.whole else 0
+    return UNITS if whole else 0
 
 
 def _far_from_zero(a: Value, b: Value) -> bool:

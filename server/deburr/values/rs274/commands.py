@@ -23,12 +23,11 @@ class Executed:
 
     def __call__(self, env: Env, calls: Calls) -> Flows:
         """What comes next."""
-        return ((self._behind, put(env, self._acts.of(env))),)
+        return ((self._behind, self.change(env)),)
 
-    def change(self, env: Env) -> Env | None:
-        """What it makes of the values; None where it may fail."""
-        puts = self._acts.certain(env)
-        return None if puts is None else put(env, puts)
+    def change(self, env: Env) -> Env:
+        """What it makes of the values."""
+        return put(env, self._acts.of(env))
 
 
 class Commands(Choices, Entering):

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from deburr.arithmetic.rs274 import TOLERANCE
 from deburr.values.domain import Value
-from deburr.values.graph import Env, Proof
+from deburr.values.graph import Env
+from deburr.values.remembered import Changes, Remembered, learned
 from deburr.values.rs274.conditions import Conditions
 from deburr.values.rs274.expressions import Expressions
 from deburr.values.rs274.keys import Put, set_by
@@ -21,10 +22,6 @@ if TYPE_CHECKING:
     from deburr.values.rs274.lines import Taken
     from deburr_grammar.line import LineNode
 
-T = TypeVar("T")
-_MOST = 16
-"""So many answers are kept of one line."""
-
 
 def compiled(line: Taken, settings: Mapping[str, Any]) -> Compiled:
     """A line under the settings that decide how it calculates; kept with the line."""
@@ -33,22 +30,6 @@ def compiled(line: Taken, settings: Mapping[str, Any]) -> Compiled:
     if found is None:
         found = line.memo[key] = Compiled(line.node, settings)
     return found
-
-
-class Changes(NamedTuple):
-    """The values where a condition holds, as far as they are others than before it. ``gone``: parameters of which nothing is known any more."""
-
-    new: Env
-    gone: tuple[Hashable, ...]
-
-    def on(self, env: Env) -> Env:
-        """The values with these."""
-        if not self.new and not self.gone:
-            return env
-        found = {**env, **self.new}
-        for key in self.gone:
-            del found[key]
-        return found
 
 
 class Compiled:
@@ -119,7 +100,7 @@ class Compiled:
 
         def found(env: Env) -> tuple[Changes | None, Changes | None]:
             get(env)
-            return _changes(env, learn(env, True)), _changes(env, learn(env, False))
+            return learned(env, learn(env, True)), learned(env, learn(env, False))
 
         return Remembered(self.expressions, found)
 
@@ -150,74 +131,5 @@ class Compiled:
         return Remembered(expressions, found), tuple(sets)
 
 
-class _Told(NamedTuple):
-    """What came of a line that failed, or may fail."""
-
-    found: Any
-    proof: Proof | None
-    doubtful: bool
-
-
-class Remembered(Generic[T]):
-    """What comes of a line: found once for all values that are the same in what it reads."""
-
-    __slots__ = ("_expressions", "_find", "_kept", "_used")
-
-    def __init__(self, expressions: Expressions, find: Callable[[Env], T]) -> None:
-        """``expressions``: all of the line, compiled by now, so that they know what it reads. ``find`` gives no None."""
-        self._expressions = expressions
-        self._find = find
-        self._used = None if None in expressions.used else tuple(expressions.used)
-        self._kept: dict[tuple[Value | None, ...], T | _Told] = {}
-
-    def of(self, env: Env) -> T:
-        """What comes of it with some values; it raises the `Proof` that nothing can."""
-        if self._used is None:
-            self._expressions.doubtful = False
-            return self._find(env)
-        key = tuple([env.get(name) for name in self._used])
-        known = self._kept.get(key)
-        if known is None:
-            if len(self._kept) == _MOST:
-                self._kept.clear()
-            known = self._kept[key] = self._found(env)
-        if not isinstance(known, _Told):
-            self._expressions.doubtful = False
-            return known
-        self._expressions.doubtful = known.doubtful
-        if known.proof is not None:
-            raise known.proof.with_traceback(None)
-        found: T = known.found
-        return found
-
-    def certain(self, env: Env) -> T | None:
-        """The same where it neither fails nor may fail; None where it does."""
-        if self._used is None:
-            return None
-        known = self._kept.get(tuple([env.get(name) for name in self._used]))
-        if known is not None:
-            return None if isinstance(known, _Told) else known
-        found = self.of(env)
-        return None if self._expressions.doubtful else found
-
-    def _found(self, env: Env) -> T | _Told:
-        self._expressions.doubtful = False
-        try:
-            found = self._find(env)
-        except Proof as proof:
-            return _Told(None, proof.with_traceback(None), self._expressions.doubtful)
-        return _Told(found, None, True) if self._expressions.doubtful else found
-
-
 Acts = Remembered[Sequence[Put]]
 """What a plain line sets."""
-
-
-def _changes(before: Env, behind: Env | None) -> Changes | None:
-    if behind is None or behind is before:
-        return None if behind is None else _SAME
-    new = {key: value for key, value in behind.items() if before.get(key) is not value}
-    return Changes(new, tuple(key for key in before if key not in behind))
-
-
-_SAME = Changes({}, ())

@@ -76,6 +76,7 @@ class Builder:
             frozenset(self.callees),
             frozenset(key for key, times in self._sets.items() if times == 1),
             step=STEP,
+            hidden=frozenset(),
         )
 
     def _head(self, first: int, last: int) -> Head:
@@ -149,7 +150,7 @@ class Builder:
         calls: bool = False,
         dead: tuple[Dead, ...] = (),
         remark: Callable[[], Proof | None] = silent,
-        change: Callable[[Env], Env | None] | None = None,
+        change: Callable[[Env], Env] | None = None,
     ) -> None:
         """Take a node in, whose flow says whether it is doubtful. ``sets``: what it may set; None among them: who knows which number."""
         used, to_set = frozenset(expressions.used), frozenset(sets)

@@ -49,7 +49,7 @@ class Made:
         condition: Span | None = None,
         number: int | None = None,
         dead: tuple[Dead, ...] = (),
-        change: Callable[[Env], Env | None] | None = None,
+        change: Callable[[Env], Env] | None = None,
     ) -> None:
         number = 2 * self._at if number is None else number
         expressions = self._compiled.expressions

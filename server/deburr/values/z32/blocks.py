@@ -25,13 +25,14 @@ def add_block(builder: Builder, at: int, line: Taken) -> None:
     node = line.node
     expressions, block = builder.made(at).part(0, lambda found: _Block(node.text, node.tree, found))
     left, behind = builder.leaving(at), builder.behind(at)
-    steps, codes, ends, returns = block.steps, block.codes, block.ends, block.returns
-    to = RETURN if returns else behind
-
-    def passed(env: Env, calls: Calls) -> Flows:
-        for step in steps:
-            env = step(env)
-        return ((to, env),)
+    ends, returns = block.ends, block.returns
+    number, codes, steps = builder.first(at), block.codes, block.steps
+    condition = block.title if at == 0 and builder.only_called else None
+    ways = () if ends else (RETURN,) if returns else builder.exits(at, [behind])
+    if block.change is not None and not builder.is_end(at):
+        to = RETURN if returns else behind
+        builder.add_change(number, at, to, block.change, expressions, ways, condition=condition, sure=not steps)
+        return
 
     def executed(env: Env, calls: Calls) -> Flows:
         values = [get(env) for get in codes]
@@ -42,13 +43,7 @@ def add_block(builder: Builder, at: int, line: Taken) -> None:
             return stops
         return (*stops, *(((RETURN, env),) if returns else left(behind, env)))
 
-    is_plain = not (ends or codes or builder.is_end(at))
-    ways = () if ends else (RETURN,) if returns else builder.exits(at, [behind])
-    condition = block.title if at == 0 and builder.only_called else None
-    sure = is_plain and not steps
-    builder.add(
-        builder.first(at), at, passed if is_plain else executed, expressions, ways, condition=condition, sure=sure
-    )
+    builder.add(number, at, executed, expressions, ways, condition=condition)
 
 
 class _Block:
@@ -65,6 +60,8 @@ class _Block:
         """The columns of the section's name that it starts."""
         for part in tree.children:
             self._take(part)
+        self.change = expressions.in_turn(self.steps) if not (self.ends or self.codes) else None
+        """What it makes of the values; None where it may end the program."""
 
     def _take(self, part: Node | Token) -> None:
         if part.kind not in _KNOWN:

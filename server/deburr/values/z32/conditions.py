@@ -12,6 +12,7 @@ from deburr.arithmetic.z32 import CLOSE, COMPARISONS
 from deburr.values import operations as on
 from deburr.values.domain import NO, Value, above, apart, below
 from deburr.values.graph import Env
+from deburr.values.remembered import Changes, Remembered, learned
 from deburr.values.z32.expressions import put
 
 if TYPE_CHECKING:
@@ -40,13 +41,19 @@ def decision(text: str, comparison: Node, expressions: Expressions) -> Callable[
         if key is not None
     ]
 
-    def decided(env: Env) -> tuple[Env | None, Env | None]:
+    def found(env: Env) -> tuple[Changes | None, Changes | None]:
         a, b = one(env), two(env)
         known = compared(relation, a, b)
         return (
-            None if known is False else _learned(sides, env, True),
-            None if known is True else _learned(sides, env, False),
+            None if known is False else learned(env, _learned(sides, env, True)),
+            None if known is True else learned(env, _learned(sides, env, False)),
         )
+
+    remembered = Remembered(expressions, found)
+
+    def decided(env: Env) -> tuple[Env | None, Env | None]:
+        held, failed = remembered.of(env)
+        return None if held is None else held.on(env), None if failed is None else failed.on(env)
 
     return decided
 

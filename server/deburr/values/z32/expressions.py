@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -12,6 +12,7 @@ from deburr.arithmetic.z32 import NEAR_INTEGER, constant, function, integer, nea
 from deburr.values import operations as on
 from deburr.values.domain import ANY, UNITS, Value, exactly, joined
 from deburr.values.graph import Env, Proof
+from deburr.values.remembered import Changes, Remembered, stored
 from deburr.values.z32.lines import is_system
 from deburr_grammar.dialects.z32.forms import number
 from deburr_grammar.text import Span
@@ -49,6 +50,25 @@ class World:
         return World(tracked, dict(machine))
 
 
+class Stored:
+    """What calculates a value and stores it in a parameter that the line alone tells."""
+
+    __slots__ = ("_get", "_key")
+
+    def __init__(self, key: str, get: Get) -> None:
+        self._key = key
+        self._get = get
+
+    def __call__(self, env: Env) -> Env:
+        """The values behind it."""
+        return put(env, self._key, self._get(env))
+
+    def changes(self, env: Env) -> Changes:
+        """The same as what it changes."""
+        value = self._get(env)
+        return Changes({self._key: value}) if value != ANY else Changes({}, (self._key,))
+
+
 class Expressions:
     """Compiles the values of one part of a line. ``used`` and ``sets``: the parameters that it reads and sets; None among them: who knows which."""
 
@@ -59,10 +79,30 @@ class Expressions:
         self.sets: set[Hashable] = set()
         self.literals: set[Hashable] = set()
         """The parameters that it sets to numbers that are written out, and to nothing else."""
+        self.is_narrow = True
+        """Whether all that it sets and says hangs on nothing but what it reads, and nothing can be remarked."""
         self.doubtful = False
         """Whether something may have failed since it was last set to False."""
         self.remarks: list[Proof] = []
         """What is certain and does not stop the control, since it was last emptied."""
+
+    def in_turn(self, steps: Sequence[Callable[[Env], Env]]) -> Callable[[Env], Env]:
+        """All of some steps, which are all that stands in this part of the line."""
+
+        def taken(env: Env) -> Env:
+            for step in steps:
+                env = step(env)
+            return env
+
+        if not self.is_narrow:
+            return taken
+        if not steps:
+            return _unchanged
+        keys = tuple(self.sets)
+        only = steps[0] if len(steps) == 1 else None
+        find = only.changes if isinstance(only, Stored) else lambda env: stored(taken(env), keys)
+        remembered = Remembered(self, find)
+        return lambda env: remembered.of(env).on(env)
 
     def is_doubtful(self) -> bool:
         """Whether something may have failed when this was last calculated."""
@@ -112,14 +152,16 @@ class Expressions:
         if key is not None and isinstance(constant(self._text, part), float):
             self.literals.add(key)
         if not isinstance(target, Node) or target.kind != "vector" or not self._is_pal(target):
-            return lambda env: store(env, get(env))
+            return Stored(key, get) if key is not None else lambda env: store(env, get(env))
 
-        def stored(env: Env) -> Env:
+        self.is_narrow = False
+
+        def rounded(env: Env) -> Env:
             value = get(env)
             self._judge_rounding(part, value)
             return store(env, value)
 
-        return stored
+        return rounded
 
     def is_followed(self, name: str) -> bool:
         """Whether anybody asks what a parameter holds."""
@@ -237,15 +279,16 @@ class Expressions:
         letters = frozenset(name for name in tracked if len(name) == 1)
         self.used.add(ALIAS)
         self.sets |= letters
+        self.is_narrow = False
 
-        def stored(env: Env, value: Value) -> Env:
+        def put_in(env: Env, value: Value) -> Env:
             axes = axes_of(env)
             if axes:
                 return put(env, axes[at], value) if axes[at] in tracked else env
             self.doubtful = True
             return {key: old for key, old in env.items() if key not in letters}
 
-        return stored
+        return put_in
 
     def _element(self, vector: Node) -> Get:
         is_pal, at = self._is_pal(vector), self._literal(vector)
@@ -283,10 +326,11 @@ class Expressions:
         if literal is not None and not (is_pal and literal >= MACHINE):
             name = self._name(vector, literal)
             return lambda env, value: put(env, name, _ROUNDED(value) if is_pal else value)
+        self.is_narrow = False
         index = self.index(vector)
         names: list[Hashable] = list(_PAL if is_pal else _PAR)
 
-        def stored(env: Env, value: Value) -> Env:
+        def put_in(env: Env, value: Value) -> Env:
             at = index(env)
             if is_pal:
                 self._judge_writable(vector, at)
@@ -301,7 +345,7 @@ class Expressions:
             }
             return {**env, **changed}
 
-        return stored
+        return put_in
 
     def _judge_writable(self, vector: Node, at: Value) -> None:
         if at.low > MACHINE - 0.5:
@@ -363,6 +407,10 @@ class Expressions:
 
     def _name(self, vector: Node, at: int) -> str:
         return (_PAL if self._is_pal(vector) else _PAR)[at]
+
+
+def _unchanged(env: Env) -> Env:
+    return env
 
 
 def put(env: Env, name: str, value: Value) -> Env:

@@ -148,14 +148,15 @@ class Fields:
 
     def _assign(self, field: Node, number: int, to: int | None) -> None:
         target, value = field.children[0], field.children[2]
-        expressions, put_in = self._part(number, lambda found: found.assigned(target, value))
+        expressions, change = self._part(number, lambda found: found.in_turn([found.assigned(target, value)]))
         ways, place = self._ways(to), self._place(to)
-
-        def assigned(env: Env, calls: Calls) -> Flows:
-            return ((place, put_in(env)),) if place is not None else self._flows(put_in(env), None)
-
         sure = isinstance(target, Token) and isinstance(value, Token)
-        self._builder.add(number, self._at, assigned, expressions, ways, sure=sure)
+        if place is not None:
+            self._builder.add_change(number, self._at, place, change, expressions, ways, sure=sure)
+        else:
+            self._builder.add(
+                number, self._at, lambda env, calls: self._flows(change(env), None), expressions, ways, sure=sure
+            )
 
     def _jump(self, field: Node, number: int, expressions: Expressions) -> None:
         part, builder = field.children[1], self._builder
@@ -177,7 +178,7 @@ class Fields:
                 return
             to = builder.first(rows[0])
             ways = {to} if ranged else builder.exits(self._at, [to])
-            builder.add(number, self._at, lambda env, calls: sent(env, to), expressions, ways, dead=dead)
+            builder.add(number, self._at, lambda env, calls: sent(env, to), expressions, ways, dead=dead, sure=True)
             if rows[0] <= self._at and not ranged and self._conditions:
                 test, condition = self._conditions[-1]
                 builder.back(number, to, test, Span(condition.start, field.end))

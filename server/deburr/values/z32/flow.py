@@ -91,16 +91,18 @@ class Builder:
             heads[number] = head
             yield
         everything = self._used | self._sets.keys()
+        returns = frozenset[Hashable](("returns", end) for end in self._ends)
         return Graph(
             self._nodes,
             heads,
             tuple(loop for loop in self._backs if self._counts(loop)),
-            frozenset(("returns", end) for end in self._ends),
+            returns,
             None if None in everything else frozenset(everything),
             None if None in self._used else frozenset(self._used),
             None if None in self._sets else frozenset(self._sets),
             frozenset(self.callees),
             frozenset(key for key in self._sets if self._is_constant(key)),
+            hidden=returns,
         )
 
     def behind(self, at: int) -> int:
@@ -180,12 +182,13 @@ class Builder:
         calls: bool = False,
         dead: tuple[Dead, ...] = (),
         sure: bool = False,
+        change: Callable[[Env], Env] | None = None,
     ) -> None:
-        """Take a node in. ``ways``: all nodes that may come next. ``sure``: nothing can go wrong in it."""
+        """Take a node in. ``ways``: all nodes that may come next. ``sure``: nothing can go wrong in it. ``change``: as of a `Node`."""
         part, remarks = number - self._first[at], expressions.remarks
         if part == 0 and "DELETE" in self.lines[at].node.kinds and self.delete is not False:
             flow, ways, dead = self._optional(at, flow, expressions), {*ways, *self.exits(at, [self.behind(at)])}, ()
-            sure = False
+            sure, change = False, None
 
         def flowing(env: Env, calls: Calls) -> Flows:
             expressions.doubtful = False
@@ -198,10 +201,31 @@ class Builder:
             self._sets[key] += 1
             self._literals[key] += key in expressions.literals
         self._ways[number] = set(ways)
-        doubtful, remark = (bool, silent) if sure else (expressions.is_doubtful, expressions.remark)
+        doubtful = bool if sure else expressions.is_doubtful
+        remark = silent if sure or change is not None else expressions.remark
         self._nodes[number] = Node(
-            at, flow if sure else flowing, used, sets, condition, doubtful, callee, calls, remark, dead, part
+            at, flow if sure else flowing, used, sets, condition, doubtful, callee, calls, remark, dead, part, change
         )
+
+    def add_change(
+        self,
+        number: int,
+        at: int,
+        to: int,
+        change: Callable[[Env], Env],
+        expressions: Expressions,
+        ways: Iterable[int],
+        *,
+        condition: Span | None = None,
+        sure: bool = False,
+    ) -> None:
+        """Take a node in that goes on to one place only, with what it makes of the values."""
+        following = change if to == number + 1 and expressions.is_narrow else None
+
+        def changed(env: Env, calls: Calls) -> Flows:
+            return ((to, change(env)),)
+
+        self.add(number, at, changed, expressions, ways, condition=condition, sure=sure, change=following)
 
     def back(self, number: int, to: int, test: int, span: Span) -> None:
         """Note a jump back that an IF decides: it makes a loop."""
