@@ -14,7 +14,7 @@ from typing import Any
 from deburr.analysis import Analysis
 from deburr.arithmetic.rs274 import constant
 from deburr.rules.rs274._held import Call, Held, Use, holding
-from deburr.steps import done, kept, paced
+from deburr.steps import FEW, done, kept, paced
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.document import Document
 from deburr_grammar.line import LineNode
@@ -207,7 +207,7 @@ class Program:
 
     def _all_dead(self) -> Generator[None, None, list[tuple[int, float]]]:
         stretches: list[tuple[int, float]] = []
-        for block in paced(self._blocks):
+        for block in paced(self._blocks, FEW):
             if block is None:
                 yield
             else:
