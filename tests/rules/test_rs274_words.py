@@ -147,7 +147,7 @@ def test_what_is_certain_is_said_once(why: str) -> None:
 
 @pytest.mark.parametrize(
     ("table", "said"),
-    {"T1 P1 Z5": ["arc-radius"], "T1 P1 X0.5 Z5": [], "T1 P1 Y0.5 Z5": ["arc-radius"]}.items(),
+    {"T1 P1 Z5": ["arc-radius"], "T1 P1 X0.5 Z5": [], "T1 P1 Y0.5 Z5": []}.items(),
 )
 def test_a_tool_of_the_table_moves_along_its_own_offsets(table: str, said: list[str]) -> None:
     program = "F100\nG0 X5 Y0\nG43 H1 Z5\nG2 X9 R1\nM2\n"

@@ -51,15 +51,18 @@ class Change(NamedTuple):
     ``factor``: what other units make of each coordinate before the line moves; None: nobody knows.
     ``axes``: what becomes of coordinates, and by which word; all others stay.
     ``share``: the part of a word X that is a coordinate.
+    ``shifts``: whether offsets are changed before the move. ``loses``: whether nothing of them is certain any more.
     """
 
     factor: float | None
     axes: Mapping[str, tuple[Way, str]]
     share: float = 1.0
+    shifts: bool = False
+    loses: bool = False
 
 
 STAYS = Change(1.0, {})
-LOST = Change(1.0, {axis: (Way.LOST, axis) for axis in LINEAR})
+LOST = Change(1.0, {axis: (Way.LOST, axis) for axis in LINEAR}, loses=True)
 _HARMLESS_CODES = (
     "G4 G7 G8 G17 G18 G19 G17.1 G18.1 G19.1 G28.1 G30.1 G61 G61.1 G64 G80 G90 G91 G90.1 G91.1 G93"
     " G94 G95 G96 G97 G98 G99 M0 M1 M3 M4 M5 M7 M8 M9 M19 M48 M49 M50 M51 M52 M53 M60 M62 M63 M64 M65 M66"
@@ -67,20 +70,19 @@ _HARMLESS_CODES = (
 )
 _MOVES = ARCS | {"G0", "G1"}
 _HARMLESS = frozenset(_HARMLESS_CODES.split()) | _MOVES | CYCLES | PROBES
-_LASTING = {"G40": "cutter-compensation", "G49": "tool-length", "G54": "coordinate-system"}
-"""Codes that change nothing where they are in force, or where nothing else has been."""
-_LENGTHS = frozenset(("G43", "G43.2", "G49"))
-"""Codes that bring offsets of the tool table into force, or take them away."""
 _UNITS = frozenset(("G20", "G21"))
 _HOMES = frozenset(("G28", "G30"))
-_OWN_AXES = _HOMES | {"G10", "G43.1", "G52", "G53", "G92"}
-"""Codes that say what becomes of the axes on their line; of all others nothing changes."""
+SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3")
+"""The coordinate systems, from the first, as G10 counts them."""
+_LAYS = frozenset(("G10", "G43.1", "G52", "G92"))
+"""Codes to which the axis words of their line are offsets."""
+_SHIFTS = _LAYS | {"G43", "G43.2", "G49", "G92.1", "G92.2", "G92.3"} | set(SYSTEMS)
+_AWAY = frozenset(("G40", "G41", "G41.1", "G42", "G42.1", "M6"))
+"""Codes behind which only the machine knows where it stands, in offsets that stay."""
 _NOT_POLAR = frozenset((UNKNOWN, "", "G80", "G5.2", "G5.3"))
 """Motions of a line whose polar words are not looked at, or not for certain."""
 _DEPTH = {"G17": "Z", "G18": "Y", "G19": "X"}
 """The axis that canned cycles drill along."""
-SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3")
-"""The coordinate systems, from the first, as G10 counts them."""
 
 
 def without_words(reading: Reading, shape: Shape) -> Change:
@@ -91,44 +93,50 @@ def without_words(reading: Reading, shape: Shape) -> Change:
 
 
 def counts(line: Line, state: State) -> bool:
-    """Whether what a line does hangs on numbers that its shape leaves out: G10 and repeated cycles."""
+    """Whether what a line does hangs on numbers that its shape leaves out: repeated cycles."""
     found = words(line)
-    return "G10" in found.has or ("L" in found.has and motion(found, state) in CYCLES)
+    return "L" in found.has and motion(found, state) in CYCLES
 
 
-def change_of(line: Line, state: State, steady: Set[str]) -> Change:
-    """What a line with words does. ``steady``: axes along which no tool has an offset."""
+def may_shift(line: Line) -> bool:
+    """Whether a line with words may change offsets, whatever is in force."""
     found = words(line)
-    letters = [letter for letter in found.letters if letter not in "GM"]
-    if not found.clear or len(letters) != len(set(letters)) or not line.node.kinds.isdisjoint(("DELETE", "setting")):
+    return not _is_plain(line, found) or not found.has.isdisjoint(_SHIFTS) or bool(_strange(found))
+
+
+def change_of(line: Line, state: State) -> Change:
+    """What a line with words does."""
+    found = words(line)
+    if not _is_plain(line, found) or _strange(found):
         return LOST
-    codes = {code for code in found.codes if code} - _HARMLESS
-    codes -= {code for code in codes if _is_in_force(state, code)}
-    if codes - _UNITS - _LENGTHS - _OWN_AXES:
-        return LOST
-    axes = _axes(line, found, state)
-    share = _share(found, state)
+    codes = found.has - {"G40"} if _is_in_force(state, "G40") else found.has
+    axes = _axes(line, found, state) if codes.isdisjoint(_AWAY) else _lost(LINEAR)
+    share = share_of(found, state)
     if share is None and "X" in axes:
         axes["X"] = (Way.LOST, "X")
-    for axis in LINEAR if codes & _LENGTHS else "":
-        # The offset comes before the move.
-        if axis not in steady and axes.get(axis, (Way.BY,))[0] is not Way.TO:
-            axes[axis] = (Way.LOST, axis)
-    return Change(_factor(found, state), axes, share or 1.0)
+    return Change(_factor(found, state), axes, share or 1.0, shifts=not codes.isdisjoint(_SHIFTS))
 
 
-def only_named(change: Change, found: Words) -> Change:
-    """The same change if only what an absolute move or G92 names counts as known: all that offsets and steps lead to is lost."""
-    moves = "G92" in found.has or found.has.isdisjoint(_OWN_AXES)
-    axes = {axis: (way if way is Way.TO and moves else Way.LOST, letter) for axis, (way, letter) in change.axes.items()}
+def only_named(change: Change) -> Change:
+    """The same change if only what an absolute move names counts as known: all that steps lead to is lost."""
+    axes = {axis: (way if way is Way.TO else Way.LOST, letter) for axis, (way, letter) in change.axes.items()}
     return change._replace(axes=axes)
 
 
+def _is_plain(line: Line, found: Words) -> bool:
+    """Whether it is certain what a line asks for, and that it is executed."""
+    letters = [letter for letter in found.letters if letter not in "GM"]
+    return found.clear and len(letters) == len(set(letters)) and line.node.kinds.isdisjoint(("DELETE", "setting"))
+
+
+def _strange(found: Words) -> Set[str]:
+    """Codes of which nothing is known."""
+    return {code for code in found.codes if code} - _HARMLESS - _UNITS - _SHIFTS - _HOMES - _AWAY - {"G53"}
+
+
 def _is_in_force(state: State, code: str) -> bool:
-    if code in _UNITS:
-        return state.code("units") == code
-    group = _LASTING.get(code)
-    return group is not None and (state.untouched(group) or state.code(group) == code)
+    group = "cutter-compensation"
+    return state.untouched(group) or state.code(group) == code
 
 
 def _factor(found: Words, state: State) -> float | None:
@@ -143,9 +151,13 @@ def _factor(found: Words, state: State) -> float | None:
 
 def _axes(line: Line, found: Words, state: State) -> dict[str, tuple[Way, str]]:
     given = found.has.intersection(LINEAR)
-    own = found.has & _OWN_AXES
-    if own:
-        return _by_own(line, found, state, given)
+    if not found.has.isdisjoint(_HOMES):
+        # Home is where the machine has it: along the axes that are written, or all.
+        return _lost(_turning(given) if given else LINEAR)
+    if "G53" in found.has:
+        return _lost(_turning(given))
+    if not found.has.isdisjoint(_LAYS):
+        return {}
     if not found.axes:
         return {}
     made = motion(found, state)
@@ -161,26 +173,9 @@ def _axes(line: Line, found: Words, state: State) -> dict[str, tuple[Way, str]]:
     return _lost(given)
 
 
-def _by_own(line: Line, found: Words, state: State, given: Set[str]) -> dict[str, tuple[Way, str]]:
-    if "G92" in found.has:
-        return _literal(line, given, Way.TO)
-    if "G10" in found.has:
-        return _by_data(line, state, given)
-    # Home is where the machine has it: along the axes that are written, or all.
-    return _lost(given if given or found.has.isdisjoint(_HOMES) else LINEAR)
-
-
-def _by_data(line: Line, state: State, given: Set[str]) -> dict[str, tuple[Way, str]]:
-    """G10 L2 and L20: another system is nothing to the tool; L20 in the active one makes its axes what is written."""
-    said = values(line)
-    kind, number = said.get("L"), said.get("P")
-    if kind not in (2, 20) or number is None or number not in range(10) or "R" in said:
-        return _lost(LINEAR)
-    active = active_system(state)
-    if number and active is not None and active != SYSTEMS[int(number) - 1]:
-        return {}
-    is_active = number == 0 or active is not None
-    return _literal(line, given, Way.TO) if kind == 20 and is_active else _lost(given)
+def _turning(given: Set[str]) -> Set[str]:
+    """Axes that a move in the machine's coordinates changes: where a system is turned, X and Y go together."""
+    return given if given.isdisjoint("XY") else given | {"X", "Y"}
 
 
 def active_system(state: State) -> str | None:
@@ -258,7 +253,7 @@ def _polar(line: Line, state: State) -> Modes | None:
 
 def _modes(line: Line, state: State, motions: Set[str], letters: str) -> Modes | None:
     found = words(line)
-    share = _share(found, state) if "X" in found.has else 1.0
+    share = share_of(found, state) if "X" in found.has else 1.0
     if motion(found, state) not in motions or not _is_literal(line, letters) or share is None:
         return None
     said = [letter for letter in found.letters if letter not in "GM"]
@@ -270,7 +265,7 @@ def _modes(line: Line, state: State, motions: Set[str], letters: str) -> Modes |
     return Modes(plane, distance, centre, found.of("units") or state.code("units"), share)
 
 
-def _share(found: Words, state: State) -> float | None:
+def share_of(found: Words, state: State) -> float | None:
     """The part of a word X that is a coordinate. The code acts before the words beside it."""
     code = governs(found, state, "lathe-diameter")
     return None if code is None else 0.5 if code == "G7" else 1.0

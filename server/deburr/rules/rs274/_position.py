@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from math import isnan, nan
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from deburr.formats.tools import read
 from deburr.modal import Modal, State, modal_of
 from deburr.rule import Line, Report
-from deburr.rules.rs274._moves import LINEAR, STAYS, Change, Modes, Way, change_of, counts, only_named, without_words
+from deburr.rules.rs274._moves import (
+    LINEAR,
+    STAYS,
+    Change,
+    Modes,
+    Way,
+    change_of,
+    counts,
+    may_shift,
+    only_named,
+    without_words,
+)
+from deburr.rules.rs274._offsets import HOME, Offsets, Point, at_start, behind, unknown
 from deburr.rules.rs274._words import Words, report, said, values, words
 from deburr_grammar.line import LineNode
 
@@ -19,11 +31,6 @@ if TYPE_CHECKING:
     from deburr_grammar.dialect import Bracket, Reading
     from deburr_grammar.document import Piece
     from deburr_grammar.line import Shape
-
-Point = tuple[float | None, float | None, float | None]
-"""X, Y and Z in the units in force."""
-HOME: Point = (0.0, 0.0, 0.0)
-"""Where a program starts for the interpreter."""
 
 
 class Move(NamedTuple):
@@ -81,6 +88,8 @@ class _Way(NamedTuple):
     faults: tuple[tuple[int, str], ...]
     open: tuple[_Open, ...]
     end: _Place
+    offsets: Offsets | None = None
+    """Where offsets are followed, those behind it."""
 
 
 class _Step(NamedTuple):
@@ -95,8 +104,8 @@ class _Step(NamedTuple):
 
 _SIMPLE = re.compile(r"[ \t]*(?:[A-Za-z][+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)[ \t]*)+")
 _WORD = re.compile(r"([IJKRXYZ])([+-]?[0-9.]+)")
-_OF_TOOLS = (1, 10, 11)
-"""L words of G10 that change the tool table."""
+_OF_TOOLS = re.compile("10|43")
+"""Digits of codes that tell offsets of tools."""
 
 
 def faults(analysis: Analysis, watch: Watch) -> Iterator[tuple[int, str] | None]:
@@ -106,16 +115,18 @@ def faults(analysis: Analysis, watch: Watch) -> Iterator[tuple[int, str] | None]
     if stateful is None or fold is None:
         return
     walk = _Walk(analysis, fold, watch)
-    here = HOME
+    offsets, here = at_start(analysis, walk.steady)
     passed: list[tuple[Piece, State]] = []
     for piece, state in stateful.states(analysis.document):
         yield None
-        if not walk.concerns(piece):
+        shifts = walk.shifts(piece)
+        if not shifts and not walk.concerns(piece):
             passed.append((piece, state))
             continue
         here = walk.behind(passed, here)
         passed.clear()
-        way = walk.through(piece, state)
+        way = walk.among(piece, state, offsets, here) if shifts else walk.through(piece, state)
+        offsets = way.offsets or offsets
         judged = [(move.line, watch.judge(Move(move.modes, _at(move.start, here), move.numbers))) for move in way.open]
         yield from ((piece.line + index, why) for index, why in sorted([*way.faults, *judged]) if why)
         here = _at(way.end, here)
@@ -142,7 +153,8 @@ class _Walk:
         self._settings = analysis.settings
         self._fold = fold
         self._steps: dict[tuple[State, str], dict[Shape, _Step]] = {}
-        self._steady = _steady(analysis)
+        self.steady = _steady(analysis)
+        """The axes along which no tool has an offset."""
 
     def concerns(self, piece: Piece) -> bool:
         """Whether any line may be a move to look at."""
@@ -163,23 +175,46 @@ class _Walk:
 
     def through(self, piece: Piece, state: State) -> _Way:
         """What is wrong with the moves of a chunk, and where it leads; kept with the chunk."""
-        key = ("rs274 moves", self._watch.name, self._document.key(piece), state, self._steady)
+        key = ("rs274 moves", self._watch.name, self._document.key(piece), state, self.steady)
         kept: _Way | None = piece.chunk.memo.get(key)
         if kept is None:
             kept = piece.chunk.memo[key] = self._through(piece, state)
         return kept
+
+    def shifts(self, piece: Piece) -> bool:
+        """Whether any line may change offsets."""
+        key = ("rs274 shifts", self._document.key(piece))
+        if key not in piece.chunk.memo:
+            piece.chunk.memo[key] = any(self._may_shift(reading, shape) for reading, shape in piece.distinct())
+        found: bool = piece.chunk.memo[key]
+        return found
+
+    def among(self, piece: Piece, state: State, offsets: Offsets, here: Point) -> _Way:
+        """The same of a chunk that changes offsets, behind what is known of them and of the place; kept with the chunk."""
+        key = ("rs274 shifted", self._watch.name, self._document.key(piece), state, self.steady)
+        kept: tuple[Offsets, Point, _Way] | None = piece.chunk.memo.get(key)
+        if kept is None or kept[:2] != (offsets, here):
+            kept = piece.chunk.memo[key] = (offsets, here, self._through(piece, state, offsets, here))
+        return kept[2]
+
+    def _may_shift(self, reading: Reading, shape: Shape) -> bool:
+        if reading.start is None or "word" not in shape.facts(reading).kinds:
+            return without_words(reading, shape).loses
+        return may_shift(self._sample(reading, shape))
 
     def _may_be_one(self, reading: Reading, shape: Shape) -> bool:
         if reading.start is None or "word" not in shape.facts(reading).kinds or not self._watch.sign.search(shape.text):
             return False
         return not words(self._sample(reading, shape)).has.isdisjoint(self._watch.words)
 
-    def _through(self, piece: Piece, state: State) -> _Way:
+    def _through(self, piece: Piece, state: State, offsets: Offsets | None = None, here: Point = HOME) -> _Way:
         held: dict[int, list[Bracket]] = {}
         for index, bracket in piece.outlined.brackets:
             held.setdefault(index, []).append(bracket)
         lines = piece.chunk.lines if piece.chunk.marked else ()
-        path = _Path(piece, self._settings, self._watch)
+        path = _Path(piece, self._settings, self._watch, self.steady)
+        if offsets is not None:
+            path.start(offsets, here)
         for reading, first, shapes in piece.read():
             steps = self._under(state, reading)
             for index, shape in enumerate(shapes, first):
@@ -188,6 +223,8 @@ class _Walk:
                     change = step.change
                     if change is None:
                         change = self._change(Line(piece.node(index), self._settings), state)
+                    if change.shifts:
+                        path.shift(Line(piece.node(index), self._settings), state, change)
                     path.go(index, change, step.modes, step.simple)
                 after = step.after
                 if after is None:
@@ -214,8 +251,8 @@ class _Walk:
         return step
 
     def _change(self, line: Line, state: State) -> Change:
-        change = change_of(line, state, self._steady)
-        return only_named(change, words(line)) if self._watch.exact else change
+        change = change_of(line, state)
+        return only_named(change) if self._watch.exact else change
 
     def _sample(self, reading: Reading, shape: Shape) -> Line:
         return Line(LineNode(shape.text, reading, shape), self._settings)
@@ -224,7 +261,7 @@ class _Walk:
 class _Path:
     """The way through a chunk. Lines are only read when a move to look at, or the end, asks where they have led."""
 
-    def __init__(self, piece: Piece, settings: Mapping[str, Any], watch: Watch) -> None:
+    def __init__(self, piece: Piece, settings: Mapping[str, Any], watch: Watch, steady: Set[str]) -> None:
         self._place = _START
         self._piece = piece
         self._lines = piece.chunk.lines
@@ -234,10 +271,31 @@ class _Path:
         self._last: tuple[int, dict[str, float]] = (-1, {})
         self._faults: list[tuple[int, str]] = []
         self._open: list[_Open] = []
+        self._steady = steady
+        self._offsets: Offsets | None = None
+
+    def start(self, offsets: Offsets, here: Point) -> None:
+        """Follow offsets, too, from what is known of them and of the place."""
+        self._offsets = offsets
+        self._place = _placed(here)
+
+    def shift(self, line: Line, state: State, change: Change) -> None:
+        """Follow what a line does to offsets before it moves."""
+        place = self._reckoned()
+        here = _at(_scaled(place, change.factor) if change.factor != 1 else place, HOME)
+        self._offsets, there = behind(self._offsets or unknown(self._steady), here, line, state, self._steady)
+        if self._watch.exact:
+            # What G92 names is certain to the last digit; all else is reckoned with offsets.
+            named = "G92" in words(line).has
+            x, y, z = (new if new == old or named else None for old, new in zip(here, there))
+            self._offsets, there = unknown(self._steady), (x, y, z)
+        self._place = _placed(there)
 
     def go(self, index: int, change: Change, modes: Modes | None, simple: bool) -> None:
         """Follow a line. ``simple``: whether it holds nothing but letters and plain numbers."""
-        if change.factor != 1:
+        if change.loses and self._offsets is not None:
+            self._offsets = unknown(self._steady)
+        if change.factor != 1 and not change.shifts:
             self._place = _scaled(self._reckoned(), change.factor)
         if modes is not None:
             numbers = self._numbers(index, simple)
@@ -249,7 +307,7 @@ class _Path:
 
     def way(self) -> _Way:
         """All of it."""
-        return _Way(tuple(self._faults), tuple(self._open), self._reckoned())
+        return _Way(tuple(self._faults), tuple(self._open), self._reckoned(), self._offsets)
 
     def _look_at(self, move: _Open) -> None:
         x, y, z = move.start
@@ -302,7 +360,7 @@ class _Path:
 
 
 def _steady(analysis: Analysis) -> frozenset[str]:
-    """The axes along which no tool of the configured table has an offset; none if the table is not known, or the program changes it."""
+    """The axes along which no tool of the configured table has an offset; none if the table is not known, or the program changes it or says an offset itself."""
     path = analysis.settings["tool-table"]
     table = analysis.host.read(path) if path else None
     if table is None or any(_changes_tools(piece, analysis) for piece in analysis.document.pieces()):
@@ -312,11 +370,12 @@ def _steady(analysis: Analysis) -> frozenset[str]:
 
 def _changes_tools(piece: Piece, analysis: Analysis) -> bool:
     for reading, first, shapes in piece.read():
-        data = {shape for shape in set(shapes) if "word" in shape.facts(reading).kinds and "10" in shape.text}
+        data = {shape for shape in set(shapes) if "word" in shape.facts(reading).kinds and _OF_TOOLS.search(shape.text)}
         for index, shape in enumerate(shapes, first) if data else ():
             if shape in data:
                 line = Line(piece.node(index), analysis.settings)
-                if "G10" in words(line).has and values(line).get("L") not in (2, 20):
+                has = words(line).has
+                if "G43.1" in has or ("G10" in has and values(line).get("L") not in (2, 20)):
                     return True
     return False
 
@@ -340,6 +399,12 @@ def _scaled(place: _Place, factor: float | None) -> _Place:
 def _after(first: Iterable[_From | None], then: _Place) -> _Place:
     """One way behind another."""
     x, y, z = (two if two is None or not two.times else one and _joined(one, two) for one, two in zip(first, then))
+    return x, y, z
+
+
+def _placed(point: Point) -> _Place:
+    """A place that hangs on nothing."""
+    x, y, z = (None if each is None else _From(0.0, each) for each in point)
     return x, y, z
 
 

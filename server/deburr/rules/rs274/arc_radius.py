@@ -5,9 +5,11 @@ of the radius in a large arc, up to 2.8 mm (0.28 inch). A radius R must reach fr
 (0.00005 inch), the ends must not be one point, and no radius may be zero. The control stops, as with
 "Radius to end of arc differs from radius to start".
 
-The start is known as long as moves, steps, cycles and offsets with literal numbers lead to it. What only
-the machine knows (offsets that were stored, where a probe stops, home) leaves it unknown until the next
-absolute move. At the beginning of the program it is taken for X0 Y0 Z0, as the control's preview does: an
+The start is known as long as moves, steps, cycles and offsets with literal numbers lead to it. Work systems and their rotation
+(`G10` with L2 and L20, `G54` to `G59.3`), `G92`, `G52` and tool offsets (`G43.1`, `G49`) count as far as the program or the stored
+parameters (`parameters`) tell both what was in force and what comes; a length that is stored is certain only where `[machine]` says
+in which `unit`. What only the machine knows (offsets that were stored and not given, where a probe stops, home) leaves the start
+unknown until the next absolute move. At the beginning of the program it is taken for X0 Y0 Z0, as the control's preview does: an
 arc from wherever the machine happens to stand is none that anyone could mean.
 
 Under `G7` the word X is a diameter, here as in the offsets of `G92` and `G10`; I and R never are.
@@ -82,6 +84,30 @@ Bad:
     G7 G18 G0 X20 Z0
     G2 X10 Z-5 I-10 K0
     ^^
+
+Bad:
+
+    F100
+    G52 X0 Y0
+    G0 X10 Y0
+    G52 X10
+    G2 X10 I4
+    ^^
+
+Good:
+
+    F100
+    G52 X0 Y0
+    G0 X10 Y0
+    G52 X10
+    G2 X10 I5
+
+Good:
+
+    F100
+    G0 X10 Y0
+    G52 X10
+    G2 X10 I4
 
 Good:
 
