@@ -99,7 +99,7 @@ class Document:
         self._size = size
         self._given = given
         self._last_way: _Way | None = None
-        self._last_place: Place | None = None
+        self._last_places: tuple[Place, ...] = ()
         self._known_pieces: list[Piece] = []
 
     @classmethod
@@ -368,10 +368,13 @@ class Document:
 
     def _place(self, line: int) -> Place:
         """The chunk that holds a line, found without reading any; whoever goes along the lines looks for it once."""
-        kept = self._last_place
-        if kept is None or not kept.line <= line < kept.line + kept.chunk.eols:
-            kept = self._last_place = self._found_place(line)
-        return kept
+        for kept in self._last_places:
+            if kept.line <= line < kept.line + kept.chunk.eols:
+                return kept
+        # Whoever goes along lines of which each points to another goes along two stretches in turn.
+        found = self._found_place(line)
+        self._last_places = (found, *self._last_places[:1])
+        return found
 
     def _found_place(self, line: int) -> Place:
         node: Branch | Chunk = self._root

@@ -6,45 +6,76 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from heapq import merge
-from itertools import islice
-from operator import attrgetter, itemgetter
+from itertools import islice, zip_longest
+from operator import attrgetter, is_, itemgetter
+from typing import NamedTuple
 
-from deburr.finding import Finding, Place
-from deburr.steps import done, paced
+from deburr.finding import Finding, Place, Related
+from deburr.steps import MANY, done, paced
 
 _SIZE = 64
 """Findings of a block: so many are looked at for an edit among them, and all others a block at a time."""
 
 
+class _Links(NamedTuple):
+    """The lines to which those links of some findings point that have one place in their lists, in order, as they stood ``shift`` lines higher."""
+
+    shift: int
+    lines: tuple[int, ...]
+
+    def behind(self, first: int, last: int, shift: int) -> _Links | None:
+        """The same behind a change of lines that moved what is behind them; None if some of them stand where it was made, or only some move."""
+        first, last = first - self.shift, last - self.shift
+        if not self.lines or self.lines[-1] < first:
+            return self
+        if self.lines[0] > last:
+            return self._replace(shift=self.shift + shift) if shift else self
+        at = bisect_left(self.lines, first)
+        return self if not shift and self.lines[at] > last else None
+
+
 @dataclass(frozen=True)
 class _Block:
-    """Some findings in order, as they stood ``shift`` lines higher; now the first begins on a line, and none ends behind another one."""
+    """Some findings in order, as they stood ``shift`` lines higher; now the first begins on a line, and none ends behind another one.
+
+    What they point to in their own file moves by itself: in most blocks the first ``links`` point to one stretch, the second ones to another.
+    """
 
     shift: int
     first: int
     last: int
     findings: tuple[Finding, ...]
+    links: tuple[_Links, ...] = ()
 
     @cached_property
     def now(self) -> tuple[Finding, ...]:
         """The findings where they stand: the same ones as long as nothing moves them."""
+        shifts = [links.shift for links in self.links]
+        if any(shifts):
+            return tuple(shifted(_linked(each, shifts), self.shift) for each in self.findings)
         return tuple(shifted(each, self.shift) for each in self.findings) if self.shift else self.findings
 
-    def moved(self, lines: int) -> _Block:
+    def behind(self, first: int, last: int, shift: int) -> _Block | None:
+        """The block behind a change of lines on which none of its findings begins; None if what these point to has to be looked at."""
+        own = shift if self.first > last else 0
+        if not self.links:
+            return self.moved(own) if own else self
+        links = tuple(each.behind(first, last, shift) for each in self.links)
+        known = tuple(each for each in links if each is not None)
+        if len(known) < len(links):
+            return None
+        return self if known == self.links and not own else self.moved(own, known)
+
+    def moved(self, lines: int, links: tuple[_Links, ...] = ()) -> _Block:
         """The findings that many lines further down."""
-        return _Block(self.shift + lines, self.first + lines, self.last + lines, self.findings)
+        return _Block(self.shift + lines, self.first + lines, self.last + lines, self.findings, links)
 
 
 class Held:
-    """Findings of a program in order, each once. Immutable: an edit gives the next ones.
+    """Findings of a program in order, each once. Immutable: an edit gives the next ones."""
 
-    Findings that point at other places are kept apart, for these places move as well.
-    """
-
-    def __init__(self, blocks: tuple[_Block, ...] = (), linked: tuple[Finding, ...] = ()) -> None:
+    def __init__(self, blocks: tuple[_Block, ...] = ()) -> None:
         self._blocks = blocks
-        self._linked = linked
 
     @classmethod
     def of(cls, findings: Iterable[Finding]) -> Held:
@@ -62,24 +93,17 @@ class Held:
                 seen[each] = _order(each)
         every = [each for each, _ in sorted(seen.items(), key=itemgetter(1))]
         yield
-        plain: list[Finding] = []
-        linked: list[Finding] = []
-        for each in paced(every):
-            if each is None:
-                yield
-            else:
-                (linked if each.related else plain).append(each)
         blocks: list[_Block] = []
-        for block in paced(_in_blocks(plain)):
+        for block in paced(_in_blocks(every), MANY // _SIZE):
             if block is None:
                 yield
             else:
                 blocks.append(block)
-        return cls(tuple(blocks), tuple(linked))
+        return cls(tuple(blocks))
 
     @cached_property
     def _count(self) -> int:
-        return sum(len(block.findings) for block in self._blocks) + len(self._linked)
+        return sum(len(block.findings) for block in self._blocks)
 
     def __len__(self) -> int:
         """How many there are."""
@@ -87,8 +111,7 @@ class Held:
 
     def __iter__(self) -> Iterator[Finding]:
         """All of them, in order."""
-        plain = (finding for block in self._blocks for finding in block.now)
-        return merge(plain, self._linked, key=_order) if self._linked else plain
+        return (finding for block in self._blocks for finding in block.now)
 
     def first(self, count: int) -> list[Finding]:
         """The first ones."""
@@ -96,30 +119,22 @@ class Held:
 
     def on(self, first: int, last: int) -> list[Finding]:
         """Those that begin on some lines, both included."""
-        start = bisect_left(self._blocks, first, key=attrgetter("last"))
-        stop = bisect_right(self._blocks, last, lo=start, key=attrgetter("first"))
-        near = (finding for block in self._blocks[start:stop] for finding in block.now)
-        return [each for each in merge(near, self._linked, key=_order) if first <= each.place.line <= last]
+        near = (finding for block in self._blocks[self._near(first, last)] for finding in block.now)
+        return [each for each in near if first <= each.place.line <= last]
 
     def changed(self, first: int, last: int, shift: int, each: Callable[[Finding], Finding | None]) -> Held:
         """The findings when the lines from one to another, both included, have changed and all behind them stand elsewhere.
 
-        ``each`` says where a finding stands then, or that it is gone; of plain ones it is asked only of those near these lines.
+        ``each`` says where a finding stands then, or that it is gone. It is asked only of those near these lines, and of those
+        that are kept with one that points to them, or with some that point to both sides of them while these move apart.
         """
-        start = bisect_left(self._blocks, first, key=attrgetter("last"))
-        stop = bisect_right(self._blocks, last, lo=start, key=attrgetter("first"))
-        near = [found for block in self._blocks[start:stop] for one in block.now if (found := each(one)) is not None]
-        behind = self._blocks[stop:]
-        if shift:
-            behind = tuple(block.moved(shift) for block in behind)
-        blocks = self._blocks[:start] + _blocks(near) + behind
-        linked = (found for one in self._linked if (found := each(one)) is not None)
-        return Held(blocks, tuple(sorted(linked, key=_order)))
+        near = self._near(first, last)
+        above, below = self._blocks[: near.start], self._blocks[near.stop :]
+        among = _asked(self._blocks[near], each)
+        return Held((*_behind(above, first, last, shift, each), *among, *_behind(below, first, last, shift, each)))
 
     def without(self, lines: Sequence[int], rules: frozenset[str]) -> Held:
         """Those that some rules did not find on some lines (in order), or that stand elsewhere."""
-        if not lines:
-            return self
         held = self
         chosen = frozenset(lines)
 
@@ -128,7 +143,8 @@ class Held:
 
         # Touched lines stand in a few groups: what is between them is not looked at.
         for first, last in _groups(lines):
-            held = held.changed(first, last, 0, left)
+            near, blocks = held._near(first, last), held._blocks
+            held = Held((*blocks[: near.start], *_asked(blocks[near], left), *blocks[near.stop :]))
         return held
 
     def also(self, findings: Iterable[Finding]) -> Held:
@@ -136,16 +152,20 @@ class Held:
         new = set(findings)
         if not new:
             return self
-        linked = {each for each in new if each.related}
         blocks = list(self._blocks)
-        for line in sorted({each.place.line for each in new - linked}):
+        for line in sorted({each.place.line for each in new}):
             number = min(bisect_left(blocks, line, key=attrgetter("last")), len(blocks) - 1)
-            there = {each for each in new - linked if each.place.line == line}
+            there = {each for each in new if each.place.line == line}
             if number < 0:
-                blocks += _blocks(sorted(there, key=_order))
+                blocks += _in_blocks(sorted(there, key=_order))
             else:
-                blocks[number : number + 1] = _blocks(sorted({*blocks[number].now, *there}, key=_order))
-        return Held(tuple(blocks), tuple(sorted({*self._linked, *linked}, key=_order)) if linked else self._linked)
+                blocks[number : number + 1] = _in_blocks(sorted({*blocks[number].now, *there}, key=_order))
+        return Held(tuple(blocks))
+
+    def _near(self, first: int, last: int) -> slice:
+        """The blocks in which a finding may begin on some lines, both included."""
+        start = bisect_left(self._blocks, first, key=attrgetter("last"))
+        return slice(start, bisect_right(self._blocks, last, lo=start, key=attrgetter("first")))
 
 
 def shifted(finding: Finding, lines: int) -> Finding:
@@ -155,24 +175,68 @@ def shifted(finding: Finding, lines: int) -> Finding:
     return Finding(rule, severity, message, Place(file, line + lines, col, end + lines, end_col), related, fix)
 
 
-def _blocks(findings: Sequence[Finding]) -> tuple[_Block, ...]:
-    """Findings in order, in blocks; those of one line are never in two."""
-    return tuple(_in_blocks(findings))
+def _linked(finding: Finding, shifts: Sequence[int]) -> Finding:
+    """A finding whose links point so many lines further down, each by its own number."""
+    file = finding.place.file
+    pairs = zip(finding.related, shifts)
+    return finding._replace(
+        related=tuple(_pointing(each, lines) if lines and each.place.file == file else each for each, lines in pairs)
+    )
+
+
+def _pointing(related: Related, lines: int) -> Related:
+    (file, line, col, end, end_col), message, entered = related
+    return Related(Place(file, line + lines, col, end + lines, end_col), message, entered)
+
+
+def _behind(
+    blocks: Iterable[_Block], first: int, last: int, shift: int, each: Callable[[Finding], Finding | None]
+) -> Iterator[_Block]:
+    """Blocks that are not near lines which have changed."""
+    for block in blocks:
+        found = block.behind(first, last, shift)
+        if found is None:
+            yield from _asked((block,), each)
+        else:
+            yield found
+
+
+def _asked(blocks: Sequence[_Block], each: Callable[[Finding], Finding | None]) -> Iterable[_Block]:
+    """Neighbouring blocks, each of their findings looked at: the same ones if nothing becomes of any."""
+    before = [finding for block in blocks for finding in block.now]
+    after = [found for one in before if (found := each(one)) is not None]
+    if len(after) == len(before) and all(map(is_, after, before)):
+        return blocks
+    if any(block.links for block in blocks):
+        after.sort(key=_order)
+    return _in_blocks(after)
 
 
 def _in_blocks(findings: Sequence[Finding]) -> Iterator[_Block]:
+    """Findings in order, in blocks; those of one line are never in two."""
     start = 0
     while start < len(findings):
         stop = min(start + _SIZE, len(findings))
         while stop < len(findings) and findings[stop].place.line == findings[stop - 1].place.line:
             stop += 1
         part = tuple(findings[start:stop])
-        yield _Block(0, part[0].place.line, max(each.place.end_line for each in part), part)
+        yield _Block(0, part[0].place.line, max(each.place.end_line for each in part), part, tuple(_links(part)))
         start = stop
+
+
+def _links(findings: Sequence[Finding]) -> Iterator[_Links]:
+    """What findings point to, the first links of all of them, then the second ones and so on."""
+    for pairs in zip_longest(
+        *(((each.place.file, link.place) for link in each.related) for each in findings if each.related)
+    ):
+        places = (pair[1] for pair in pairs if pair is not None and pair[0] == pair[1].file)
+        yield _Links(0, tuple(sorted({line for place in places for line in range(place.line, place.end_line + 1)})))
 
 
 def _groups(lines: Sequence[int]) -> Iterator[tuple[int, int]]:
     """Lines in order as stretches of neighbours."""
+    if not lines:
+        return
     start = last = lines[0]
     for line in lines[1:]:
         if line > last + 1:

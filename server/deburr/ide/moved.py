@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import partial
+from operator import is_
 from typing import NamedTuple
 
 from deburr.analysis import Analysis
@@ -77,20 +78,22 @@ def _by_line(ruleset: RuleSet) -> frozenset[str]:
 
 
 def _moved(finding: Finding, change: Change) -> Finding | None:
-    """A finding behind an edit of its file; None if it stood in what was taken away."""
+    """A finding behind an edit of its file: the same one if neither it nor what it points to stands on a line of the edit or moves; None if it was taken away."""
+    file = finding.place.file
     place = _place(finding.place, change)
     if place is None:
         return None
-    file = finding.place.file
-    related = tuple(each if each.place.file != file else _related(each, change) for each in finding.related)
-    return finding if place == finding.place and not related else finding._replace(place=place, related=related)
+    related = tuple(_related(each, change) if each.place.file == file else each for each in finding.related)
+    if place is finding.place and all(map(is_, related, finding.related)):
+        return finding
+    return finding._replace(place=place, related=related)
 
 
 def _related(related: Related, change: Change) -> Related:
     """What a finding points at; where the edit took that away, the edit."""
     start = change.edit.start
     place = _place(related.place, change) or Place(related.place.file, start.line, start.col, start.line, start.col)
-    return related._replace(place=place)
+    return related if place is related.place else related._replace(place=place)
 
 
 def _place(place: Place, change: Change) -> Place | None:
@@ -99,6 +102,9 @@ def _place(place: Place, change: Change) -> Place | None:
         return place
     if (place.line, place.col) < end:
         return None
+    if place.line > end.line and not change.shift:
+        return place
+    # On the last line of the edit it is another one even where its columns are the same: of units in front of it there may be others.
     ends = [_shifted(line, col, change) for line, col in ((place.line, place.col), (place.end_line, place.end_col))]
     return Place(place.file, *ends[0], *ends[1])
 

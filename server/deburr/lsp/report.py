@@ -6,9 +6,9 @@ import json
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from hashlib import md5
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from deburr.finding import Finding, Place, Severity
+from deburr.finding import Finding, Place, Related, Severity
 from deburr.lsp.capabilities import PAGES
 
 if TYPE_CHECKING:
@@ -31,27 +31,47 @@ def diagnostics(findings: Iterable[Finding], session: Session) -> list[Json]:
     return list(_Report(session).all(findings))
 
 
+class _Kept(NamedTuple):
+    """A finding as it was pushed, and the other files to which it points."""
+
+    finding: Finding
+    text: str
+    files: tuple[str, ...]
+
+
 class Written:
     """The diagnostics of one file as they were pushed last: a finding that still stands where it stood is not written once more."""
 
     def __init__(self) -> None:
-        self._texts: dict[int, tuple[Finding, str]] = {}
+        self._kept: dict[int, _Kept] = {}
+        self._others: dict[str, object] = {}
+        """The other files to which findings point, as they were then: of what stands in front of a place there, its units hang."""
 
     def capped(self, findings: Sequence[Finding], several: int, session: Session) -> str:
         """The first findings for the client, of ``several`` in all, as the text of a list; and how many more there are."""
         report = _Report(session)
-        before, self._texts = self._texts, {}
+        stale = {file for file, state in self._others.items() if session.state(file) != state}
+        before, self._kept = self._kept, {}
         for finding in findings[:MOST]:
             kept = before.get(id(finding))
-            # What stands before it on its line is as it was: whatever is typed there makes another finding of it.
-            same = kept is not None and kept[0] is finding and not finding.related
-            self._texts[id(finding)] = kept if kept and same else (finding, report.text(finding))
-        found = [text for _, text in self._texts.values()]
+            # What stands before it on its line is as it was: whatever is typed there, or before what it points to, makes another finding of it.
+            if kept is None or kept.finding is not finding or not stale.isdisjoint(kept.files):
+                kept = _Kept(finding, report.text(finding), _elsewhere(finding))
+            self._kept[id(finding)] = kept
+        self._others = {
+            file: session.state(file) for file in {file for kept in self._kept.values() for file in kept.files}
+        }
+        found = [kept.text for kept in self._kept.values()]
         if several > len(found) and found:
             last = report.range(findings[len(found) - 1].place)
             rest = f"{several - len(found)} more findings below"
             found.append(json.dumps({"range": last, "severity": 3, "source": "deburr", "message": rest}))
         return f"[{', '.join(found)}]"
+
+
+def _elsewhere(finding: Finding) -> tuple[str, ...]:
+    file = finding.place.file
+    return tuple({each.place.file for each in finding.related if each.place.file != file}) if finding.related else ()
 
 
 def result_id(items: Sequence[Json]) -> str:
@@ -70,6 +90,7 @@ class _Report:
     def __init__(self, session: Session) -> None:
         self._session = session
         self._lines: dict[str, Line] = {}
+        self._uris: dict[str, str] = {}
         self._pages = session.client.content
 
     def all(self, findings: Iterable[Finding]) -> Iterable[Json]:
@@ -84,18 +105,30 @@ class _Report:
 
     def text(self, finding: Finding) -> str:
         """A diagnostic as JSON: what it says is written once, for at each keystroke hundreds are sent of which none is another."""
+        written = _written(finding.rule, finding.severity, finding.message, self._pages)
         if finding.related:
-            return json.dumps(next(iter(self.all((finding,)))))
-        (line, start), (end_line, end) = self._ends(finding.place)
-        ends = (
-            f'{{"start": {{"line": {line}, "character": {start}}}, "end": {{"line": {end_line}, "character": {end}}}}}'
-        )
-        return f'{{"range": {ends}, {_written(finding.rule, finding.severity, finding.message, self._pages)}'
+            related = ", ".join([self._pointing(each) for each in finding.related])
+            written = f'{written.removesuffix("}")}, "relatedInformation": [{related}]}}'
+        return f'{{"range": {self._range(finding.place)}, {written}'
 
     def range(self, place: Place) -> Json:
         """A place for the client."""
         start, end = self._ends(place)
         return {"start": dict(zip(_POSITION, start)), "end": dict(zip(_POSITION, end))}
+
+    def _pointing(self, related: Related) -> str:
+        file = related.place.file
+        uri = self._uris.get(file)
+        if uri is None:
+            uri = self._uris[file] = json.dumps(self._session.uri(file))
+        where = f'{{"uri": {uri}, "range": {self._range(related.place)}}}'
+        return f'{{"location": {where}, "message": {_quoted(related.message)}}}'
+
+    def _range(self, place: Place) -> str:
+        (line, start), (end_line, end) = self._ends(place)
+        return (
+            f'{{"start": {{"line": {line}, "character": {start}}}, "end": {{"line": {end_line}, "character": {end}}}}}'
+        )
 
     def _location(self, place: Place) -> Json:
         return {"uri": self._session.uri(place.file), "range": self.range(place)}
@@ -125,3 +158,8 @@ def _said(finding: Finding, pages: bool) -> Json:
 @lru_cache(maxsize=2_048)
 def _written(rule: str, severity: Severity, message: str, pages: bool) -> str:
     return json.dumps(_said(Finding(rule, severity, message, _NOWHERE), pages)).removeprefix("{")
+
+
+@lru_cache(maxsize=2_048)
+def _quoted(message: str) -> str:
+    return json.dumps(message)

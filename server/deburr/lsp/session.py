@@ -174,6 +174,11 @@ class Session:
             return lambda line: document.line(line) if 0 <= line < document.line_count else ""
         return lambda line: lines[line] if 0 <= line < len(lines) else ""
 
+    def state(self, file: str) -> object:
+        """What a file is now: equal as long as neither its text nor its URI is another."""
+        program = self.open_files.get(file)
+        return (program.uri, program.document) if program is not None else self.files.stamp(file)
+
     def reload(self) -> None:
         """Settings or files of configuration have changed."""
         self.settings.reload()
