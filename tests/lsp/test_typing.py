@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from types import FrameType
 from typing import Any
 
@@ -15,9 +15,11 @@ from deburr.lsp.report import _Report
 from deburr.ruleset import RuleSet
 from deburr.steps import let_go
 from deburr.symbols import Mention, Sort, Symbol, index
-from deburr.symbols.index import at, first_symbols, led_to, mentions_of
+from deburr.symbols.index import at, first_symbols, led_to, locals_of, mentions_of
+from deburr_grammar.chunk import Branch, Chunk
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Document, Piece
+from deburr_grammar.outline import Before, Outliner
 from deburr_grammar.text import Edit, Pos
 from support.inside import Inside
 from support.large import large
@@ -96,6 +98,25 @@ def test_a_local_name_is_looked_for_only_where_its_region_is(monkeypatch: pytest
     found = mentions_of(document, name.mention.symbol, name.region)
     assert [each.line for each in found] == [head + 1, head + 2, head + 3]
     assert 1 <= len(parsed) <= 2
+
+
+def test_local_names_of_no_region_are_told_without_a_walk_through_the_program(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A program without subprograms is all in no region: what its parts name is summed up the tree, and an edit sums up one way anew."""
+    document = Document.parse("#2 = 1\nG0 X#2\n" * 50_000, by_name("rs274"))
+    name = at(document, 0, 1)
+    assert name is not None and name.region is None
+    assert locals_of(document, None) == {name.mention.symbol: 2}
+    asked, plain = list[Hashable](), Outliner.key
+
+    def key(own: Outliner, node: Branch | Chunk, before: Before) -> Hashable:
+        asked.append(node)
+        return plain(own, node, before)
+
+    monkeypatch.setattr(Outliner, "key", key)
+    edited = document.edit(Edit(Pos(40_000, 0), Pos(40_000, 0), "#3 = 2\n"))
+    asked.clear()
+    assert {each.name: several for each, several in locals_of(edited, None).items()} == {"2": 2, "3": 1}
+    assert len(asked) < sum(1 for _ in document.pieces())
 
 
 @pytest.fixture
