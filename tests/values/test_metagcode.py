@@ -3,8 +3,12 @@
 import pytest
 
 from deburr.finding import Severity
+from deburr.steps import done
 from deburr.values import proving, value_at
+from deburr.values.metagcode import lines
 from deburr.values.words import said as in_words
+from deburr_grammar.dialects.metagcode.forms import Condition, condition
+from deburr_grammar.tree import Node
 from support.values import MAIN, analysed
 
 NAMES = ("a", "b", "c", "d")
@@ -131,3 +135,18 @@ def test_lines_between_those_that_ask_hold_what_comes_to_them(row: int, said: st
     text = "G1 X|d|\n#FILE open.txt\nG1 X|d|\nG1 X-|d|\n#ENDIF1\nG1 X|d|\n#IF2 |e| equalto 1 n\n#ENDIF2\nG1 X|d|\n"
     found = value_at(analysed(text, "metagcode", files), row, "|d|", False)
     assert (None if found is None else in_words(found)) == said
+
+
+def test_what_a_condition_compares_is_asked_once_a_shape(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[str] = []
+
+    def asking(part: Node) -> Condition:
+        asked.append(part.kind)
+        return condition(part)
+
+    monkeypatch.setattr(lines, "condition", asking)
+    text = "".join(f"#IF{n} |a{n}| equalto {n} {n % 2 and 'numeric' or 'alpha'}\nG1\n#ENDIF{n}\n" for n in range(200))
+    taken = done(lines.taken(analysed(text, "metagcode")))
+    openers = [line for line in taken.lines if line.node.text.startswith("#IF")]
+    assert [line.compares_texts for line in openers] == [True, False] * 100
+    assert len(asked) < 20

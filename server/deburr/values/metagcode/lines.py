@@ -43,8 +43,7 @@ class Line:
     def __init__(self, node: LineNode, bracket: Bracket | None) -> None:
         self.node = node
         self.bracket = bracket
-        types = [condition(part).type for part in node.find("condition")] if not node.problems else []
-        self.compares_texts = any(not is_numeric(node.text[each.start : each.end]) for each in types)
+        self.compares_texts = _compares_texts(node)
 
 
 class Taken(NamedTuple):
@@ -121,6 +120,18 @@ def _of_piece(document: Document, piece: Piece) -> _Lines:
 def _line(text: str, reading: Reading, shape: Shape, bracket: Bracket | None) -> Line:
     """A line: one that says the same as before is the same, so that what hangs on it need not be found again."""
     return Line(LineNode(text, reading, shape), bracket)
+
+
+def _compares_texts(node: LineNode) -> bool:
+    """Whether a line has a condition that is not on numbers; its shape says so, whose tree is there, while that of each line would have to be made."""
+    reading, shape = node.reading, node.shape
+    key = ("metagcode compares texts", reading.name)
+    found = shape.memo.get(key)
+    if found is None:
+        sample = LineNode(shape.text, reading, shape)
+        types = [condition(part).type for part in sample.find("condition")] if not sample.problems else []
+        found = shape.memo[key] = any(not is_numeric(shape.text[each.start : each.end]) for each in types)
+    return bool(found)
 
 
 def _marks(piece: Piece) -> frozenset[str]:
