@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from deburr.expand.rs274.axes import AXES
 from deburr.expand.rs274.chains import DECIMALS, Chains
 from deburr.expand.rs274.modes import GETTERS, STRAIGHT, UNKNOWN, Modes
-from deburr.expand.rs274.position import Position
+from deburr.expand.rs274.position import Position, is_turn
 from deburr.expand.rs274.tools import Tool, read_tools
 from deburr_grammar.dialects.rs274.modality import code_of
 
@@ -225,11 +225,11 @@ class Machine:
                 return None
 
     def _offset(self, at: int, spot: Spot) -> float:
-        """Offsets are kept in the machine's own unit; zero is the same in all."""
+        """Offsets are kept in the machine's own unit, rotations in degrees; zero is the same in all."""
         value = self.state.params[at]
         if math.isnan(value):
             return self._known(None, f"#{at}", "the position", spot)
-        if at == 5220 or at == 5210 or value == 0 or at in self._set or self._simulate:
+        if at in (5210, 5220) or is_turn(at) or value == 0 or at in self._set or self._simulate:
             return value
         return self._known(None, f"#{at}", "the unit of the machine", spot)
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence, Set
 from typing import TYPE_CHECKING
 
-from deburr.expand.rs274.axes import AXES, LINEAR, MACHINE_UNIT, Coordinates, minus, plus, times
+from deburr.expand.rs274.axes import AXES, LINEAR, MACHINE_UNIT, Coordinates, minus, plus, times, turned
 from deburr.expand.rs274.modes import GROUP_OF
 
 if TYPE_CHECKING:
@@ -26,7 +26,11 @@ DEPTH = {170: 2, 180: 1, 190: 0, 171: 8, 181: 7, 191: 6}
 
 
 class Position:
-    """The present point in machine coordinates and the offsets between it and the program's, all in millimetres or degrees."""
+    """The present point in machine coordinates and the offsets between it and the program's, all in millimetres or degrees.
+
+    Where the system in force is turned, the point and the offsets of system and tool are those in axes that are turned with it: so a
+    coordinate of the program is always a difference along one axis. Stored systems and homes are in the machine's axes.
+    """
 
     def __init__(self, machine: Machine, simulate: bool) -> None:
         self._machine = machine
@@ -36,7 +40,10 @@ class Position:
         self._active = 0
         self._system: Coordinates = [0.0] * 9
         """The offset in force: what was stored for the active system when it was chosen or set by G10."""
-        self._rotated: set[int] = set()
+        self._turns = [0.0] * 9
+        """The rotation of each system, in degrees."""
+        self._turn = 0.0
+        """The one in force."""
         self._shift: Coordinates = [0.0] * 9
         """G92 and G52."""
         self._tool: Coordinates = [0.0] * 9
@@ -49,17 +56,20 @@ class Position:
     def stored(self, params: Sequence[float]) -> None:
         """Offsets that a parameter file brought."""
         for at in (*range(5221, 5390), *range(5211, 5220)):
-            if params[at]:
+            if params[at] and not is_turn(at):
                 self.set_parameter(at, params[at])
         self._active = round(params[5220]) - 1 if 1 <= params[5220] <= 9 else 0
-        self._system = list(self._systems[self._active])
+        self._turns = [params[first + 9] for first in range(5221, 5401, 20)]
+        self._turn = self._turns[self._active]
+        self._system = turned(self._systems[self._active], -self._turn)
         if params[5210]:
             self._shift = list(self._kept_shift)
 
     def values(self) -> tuple[object, ...]:
         """The point and the offsets, to be compared."""
         offsets = (self._system, self._shift, self._tool, self._kept_shift)
-        return (list(self._at), *map(list, (*self._systems, *offsets)), self._retract, self._depth_level)
+        turns = (list(self._turns), self._turn)
+        return (list(self._at), *map(list, (*self._systems, *offsets)), *turns, self._retract, self._depth_level)
 
     def axis(self, axis: int) -> float | None:
         """A coordinate in the active system, in the unit that the program writes."""
@@ -111,7 +121,7 @@ class Position:
             self._kept_shift[at - 5211] = self._from_machine(at - 5211, value)
         elif 0 <= system < 9 and axis < 9:
             self._systems[system][axis] = self._from_machine(axis, value)
-        elif 0 <= system < 9 and axis == 9 and value:
+        elif is_turn(at) and value:
             self._systems[system] = [None] * 9
 
     def take(self, codes: Set[tuple[str, int]], words: dict[str, float]) -> None:
@@ -126,8 +136,8 @@ class Position:
             self._unshift(gs)
         for code, first in ((281, 5161), (301, 5181)):
             if code in gs:
-                for axis in range(9):
-                    self._store(first, axis, self._at[axis])
+                for axis, value in enumerate(turned(self._at, self._turn)):
+                    self._store(first, axis, value)
         if gs & AXIS_CODES:
             self._non_modal(gs, words)
         elif not gs & MOVELESS and not _MOVING.isdisjoint(words):
@@ -161,19 +171,28 @@ class Position:
         """Another system; to name the active one again changes nothing, whatever was stored for it meanwhile."""
         if number != self._active:
             self._active = number
-            self._system = list(self._systems[number])
+            self._turn_to(number)
             self._machine.state.params[5220] = number + 1.0
+
+    def _turn_to(self, number: int) -> None:
+        """A system comes into force where it lies, with its rotation; the machine stands still."""
+        way, self._turn = self._turn - self._turns[number], self._turns[number]
+        self._system = turned(self._systems[number], -self._turn)
+        self._at, self._tool, self._tool_then = (turned(each, way) for each in (self._at, self._tool, self._tool_then))
 
     def _length(self, code: int, words: dict[str, float]) -> None:
         if code == 490:
             self._tool = [0.0] * 9
         elif code == 431:
-            self._tool = [words[a] * self._unit(i) if a in words else self._tool[i] for i, a in enumerate(AXES)]
+            tool = turned(self._tool, self._turn)
+            tool = [words[a] * self._unit(i) if a in words else tool[i] for i, a in enumerate(AXES)]
+            self._tool = turned(tool, -self._turn)
         else:
             offsets = self._machine.length_offset(round(words["H"]) if "H" in words else None)
             found: Coordinates = [None] * 9
             if offsets is not None:
                 found = [self._from_machine(axis, value) for axis, value in enumerate(offsets)]
+            found = turned(found, -self._turn)
             self._tool = found if code == 430 else [plus(a, b) for a, b in zip(self._tool, found)]
 
     def _unshift(self, gs: Set[int]) -> None:
@@ -215,25 +234,46 @@ class Position:
         if kind not in (2, 20):
             return
         index = number - 1 if number else self._active
-        system = self._systems[index]
+        system, before = self._systems[index], self._turn
         if "R" in words:
-            (self._rotated.add if words["R"] else self._rotated.discard)(index)
+            self._turns[index] = words["R"]
             self._machine.state.params[5230 + 20 * index] = words["R"]
-        for axis, value in given.items():
-            here = minus(minus(self._at[axis], self._shift[axis]), self._tool[axis])
-            system[axis] = value if kind == 2 else minus(here, value)
+        if kind == 2:
+            system = [given.get(axis, value) for axis, value in enumerate(system)]
+        elif index == self._active:
+            here = [minus(minus(value, self._shift[axis]), self._tool[axis]) for axis, value in enumerate(self._at)]
+            laid = [minus(at, given[axis]) if axis in given else self._system[axis] for axis, at in enumerate(here)]
+            system = turned(laid, self._turn)
+        else:
+            system = self._laid(index, given)
+        self._systems[index] = system
+        changed = {*given, 0, 1} if kind == 20 and (self._turn or self._turns[index]) else given
+        for axis in changed:
             self._store(5221 + 20 * index, axis, system[axis])
-        if index in self._rotated:
-            # A turned system mixes X and Y: neither is followed.
-            system[0] = system[1] = None
         if index == self._active:
-            self._system = list(system)
+            self._turn_to(index)
+            # Where a system is turned by L2, the interpreter turns the place without G92.
+            for axis, value in enumerate(turned(self._shift, before - self._turn)) if kind == 2 else ():
+                self._at[axis] = plus(self._at[axis], minus(self._shift[axis], value))
+
+    def _laid(self, index: int, given: dict[int, float]) -> Coordinates:
+        """Where a system that is not in force must lie for the place to have these coordinates in it."""
+        tip = turned([minus(value, self._tool[axis]) for axis, value in enumerate(self._at)], self._turn)
+        turn, system = self._turns[index], self._systems[index]
+        there = turned([minus(a, b) for a, b in zip(tip, system)], -turn)
+        wanted = [minus(value, self._shift[axis]) for axis, value in enumerate(there)]
+        wanted = [plus(given.get(axis, value), self._shift[axis]) for axis, value in enumerate(wanted)]
+        laid = [minus(a, b) for a, b in zip(tip, turned(wanted, turn))]
+        changed = {*given, 0, 1} if turn and not {0, 1}.isdisjoint(given) else given
+        return [laid[axis] if axis in changed else value for axis, value in enumerate(system)]
 
     def _home(self, first: int, given: dict[int, float]) -> None:
         """Through the point that is written to the stored one: along the axes that are written, or all."""
         params = self._machine.state.params
+        there = turned(self._at, self._turn)
         for axis in given or range(9):
-            self._at[axis] = self._from_machine(axis, params[first + axis]) if self._simulate else None
+            there[axis] = self._from_machine(axis, params[first + axis]) if self._simulate else None
+        self._at = turned(there, -self._turn)
         self._tool_then = self._tool
 
     def _move(self, motion: int, in_machine: bool, words: dict[str, float]) -> None:
@@ -256,12 +296,17 @@ class Position:
             self._at = target
 
     def _targets(self, words: dict[str, float], in_machine: bool) -> Coordinates:
+        if in_machine:
+            found = turned(self._at, self._turn)
+            for axis, letter in enumerate(AXES):
+                found[axis] = words[letter] * self._unit(axis) if letter in words else found[axis]
+            return turned(found, -self._turn)
         found = list(self._at)
         absolute = self._machine.modes.g["distance"] == 900
         for axis, letter in enumerate(AXES):
             if letter in words:
                 value = words[letter] * self._unit(axis)
-                base = 0.0 if in_machine else self._offset(axis) if absolute else self._at[axis]
+                base = self._offset(axis) if absolute else self._at[axis]
                 found[axis] = plus(base, value)
         return self._polar(found, words)
 
@@ -279,9 +324,9 @@ class Position:
         else:
             radius = words["@"] * self._unit(0) if "@" in words else radius
             angle = words.get("^", angle)
-        turned = math.radians(angle)
-        found[0] = plus(radius * math.cos(turned), self._offset(0))
-        found[1] = plus(radius * math.sin(turned), self._offset(1))
+        direction = math.radians(angle)
+        found[0] = plus(radius * math.cos(direction), self._offset(0))
+        found[1] = plus(radius * math.sin(direction), self._offset(1))
         return found
 
     def _drill(self, target: Coordinates, words: dict[str, float]) -> None:
@@ -323,3 +368,8 @@ class Position:
 
     def _seen(self, target: Coordinates) -> Coordinates:
         return [minus(value, self._offset(axis)) for axis, value in enumerate(target)]
+
+
+def is_turn(at: int) -> bool:
+    """Whether a parameter is the rotation of a system."""
+    return 5221 <= at < 5401 and (at - 5221) % 20 == 9
