@@ -24,7 +24,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   context.subscriptions.push(
     vscode.workspace.onDidGrantWorkspaceTrust(() => void server.start()),
     vscode.workspace.onDidChangeConfiguration((event) => {
-      if (event.affectsConfiguration('deburr.interpreter')) void server.start();
+      if (['deburr.interpreter', 'deburr.server'].some((name) => event.affectsConfiguration(name))) void server.start();
     }),
   );
   await server.start();

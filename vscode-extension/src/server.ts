@@ -1,5 +1,6 @@
 /** The language server: found, started, restarted, and never started for a folder that is not trusted. */
 import * as path from 'node:path';
+import { setTimeout } from 'node:timers/promises';
 import * as vscode from 'vscode';
 import { LanguageClient, State, type LanguageClientOptions, type Location, type Position, type ServerOptions, type StaticFeature } from 'vscode-languageclient/node';
 import { candidates, choose, type Refusal } from './interpreter';
@@ -24,6 +25,7 @@ export interface Explained {
 export class Server implements vscode.Disposable {
   private client: LanguageClient | undefined;
   private generation = 0;
+  private turn: Promise<void> = Promise.resolve();
   private readonly conditions = new vscode.EventEmitter<Condition>();
   readonly changed = this.conditions.event;
   condition: Condition = 'stopped';
@@ -35,16 +37,20 @@ export class Server implements vscode.Disposable {
     readonly languages: readonly string[],
   ) {}
 
-  /** Start it, or start it again. */
-  async start(): Promise<void> {
+  /** Start it, or start it again. Who asks while it starts waits for that: two servers at once would both own its commands. */
+  start(): Promise<void> {
     const generation = ++this.generation;
+    this.turn = this.turn.then(() => (generation === this.generation ? this.restart() : undefined));
+    return this.turn;
+  }
+
+  private async restart(): Promise<void> {
     await this.stop();
     if (!vscode.workspace.isTrusted) return this.become('untrusted');
     this.become('starting');
     const interpreter = this.setting<string[]>('interpreter') ?? [];
     const mode = this.setting<Mode>('server') ?? 'auto';
     const choice = mode === 'bundled' ? { refused: [] } : await choose(candidates(interpreter, await ofPythonExtension(), process.platform));
-    if (generation !== this.generation) return;
     if ('found' in choice) {
       this.python = `${choice.found.command.join(' ')} (Python ${choice.version}, ${choice.found.from})`;
       return this.run(this.onPython(choice.found.command));
@@ -113,10 +119,10 @@ export class Server implements vscode.Disposable {
       if (client === this.client) this.become(newState === State.Running ? 'running' : newState === State.Starting ? 'starting' : 'stopped');
     });
     try {
-      await client.start();
+      await Promise.race([client.start(), silence(PATIENCE)]);
     } catch (error) {
       this.become('stopped');
-      await this.offer(`The language server could not be started: ${String(error)}`);
+      void this.offer(`The language server could not be started: ${String(error)}`);
     }
   }
 
@@ -149,11 +155,11 @@ export class Server implements vscode.Disposable {
     return vscode.workspace.getConfiguration('deburr').get<T>(name);
   }
 
-  private async refuse(refused: readonly Refusal[]): Promise<void> {
+  private refuse(refused: readonly Refusal[]): void {
     this.become('no Python');
     const [first] = refused;
     const reason = first?.candidate.from === 'setting' ? `\`${first.candidate.command.join(' ')}\` in deburr.interpreter ${first.why}` : 'no Python 3.11 or newer was found';
-    await this.offer(`deburr cannot start: ${reason}.`, 'Open Settings');
+    void this.offer(`deburr cannot start: ${reason}.`, 'Open Settings');
   }
 
   /** An error with ways out. */
@@ -168,6 +174,14 @@ export class Server implements vscode.Disposable {
     this.condition = condition;
     this.conditions.fire(condition);
   }
+}
+
+/** Milliseconds after which a server that says nothing is given up: it would hold up whoever starts it again. */
+const PATIENCE = 60_000;
+
+async function silence(milliseconds: number): Promise<never> {
+  await setTimeout(milliseconds, undefined, { ref: false });
+  throw new Error(`it has not answered for ${milliseconds / 1000} seconds`);
 }
 
 /** What this client can do that the protocol has no name for. */
