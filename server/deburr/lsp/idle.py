@@ -41,6 +41,8 @@ class Idle:
         self._coming = 0
         self.worked: Callable[[], None] = lambda: None
         """Called behind each slice."""
+        self.called: Callable[[], bool] = lambda: False
+        """Whether there is a message: then a slice ends with the step that is being done."""
 
     def start(self, key: object, work: Work, *, urgent: bool = False) -> None:
         """Do this as soon as there is nothing else to do, instead of what stood under the key."""
@@ -89,7 +91,7 @@ class Idle:
         work = self._waiting[key]
         until = monotonic() + SLICE
         try:
-            while monotonic() < until and self._waiting.get(key) is work:
+            while not self.called() and monotonic() < until and self._waiting.get(key) is work:
                 next(work)
         except StopIteration:
             self._done(key, work)

@@ -45,8 +45,8 @@ if TYPE_CHECKING:
     from deburr.lsp.stream import Frames, Stream
     from deburr_grammar.text import Edit, Span
 
-SWITCH = 0.001
-"""Seconds after which the reading thread may break in: a message must not wait for longer than a slice of work."""
+SWITCH = 0.0001
+"""Seconds after which the reading thread may break in: a message must not wait for the work that is being done. The thread waits for messages nearly always, and then nothing is switched."""
 _FEATURE = "deburr_method"
 ERROR, INFO, DEBUG = 1, 3, 4
 """Levels of the client's log."""
@@ -78,6 +78,9 @@ class Server(LanguageServer):
         self.garbage = Garbage(loop)
         self.idle = Idle(loop, self.failed)
         self.idle.worked = self.garbage.worked
+        self.idle.called = lambda: self.come != self._taken
+        self.come = self._taken = 0
+        """Messages that have come, which the reading thread counts, and those of them that were taken up."""
         self.session = Session(client, self.complain)
         self.publisher = Publisher(self.protocol, self.session)
         self.checks = Checks(self.session, self.idle, self._said, self.failed)
@@ -92,6 +95,11 @@ class Server(LanguageServer):
         """Colours that were sent, by the names that they were sent with."""
         for method, function in found_features():
             self.feature(method)(_safe(self, function))
+
+    def take(self, body: bytes) -> None:
+        """Take one message that was counted when it came."""
+        self._taken += 1
+        self.receive(body)
 
     def receive(self, body: bytes) -> None:
         """Take one message; whatever goes wrong with it, the next one is taken as well."""
@@ -234,7 +242,8 @@ def _read(stream: Stream, frames: Frames, server: Server) -> None:
     """Hand messages to the loop as they come in; runs in a thread of its own."""
     while data := stream.receive():
         for body in frames.feed(data):
-            server.loop.call_soon_threadsafe(server.receive, body)
+            server.come += 1
+            server.loop.call_soon_threadsafe(server.take, body)
     server.loop.call_soon_threadsafe(server.ended)
 
 
