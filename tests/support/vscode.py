@@ -58,6 +58,8 @@ _BROWSER = (
     "--disable-dev-shm-usage",
 )
 PATIENCE_MS = 60_000
+RESTART = "ctrl+alt+f9"
+"""The keys that start the language server again: from the palette nobody does it twice at once."""
 
 
 def installed() -> bool:
@@ -76,6 +78,9 @@ def code_server(
     for place in ("User", "Machine"):
         (home / "user" / place).mkdir(parents=True, exist_ok=True)
         (home / "user" / place / "settings.json").write_text(json.dumps({**QUIET, **settings}))
+    (home / "user" / "User" / "keybindings.json").write_text(
+        json.dumps([{"key": RESTART, "command": "deburr.restart"}])
+    )
     (home / "config.yaml").write_text("auth: none\ncert: false\n")
     base = [str(NODE / "node"), str(CODE), "--config", str(home / "config.yaml")]
     base += ["--user-data-dir", str(home / "user"), "--extensions-dir", str(home / "extensions")]
