@@ -165,9 +165,9 @@ class Graph:
     memo: dict[str, Any] = field(default_factory=dict)
 
 
-def join(one: Env, two: Env) -> Env:
-    """What holds on both ways."""
-    return one if one is two else _merged(one, two, joined)
+def join(one: Env, two: Env, may_differ: Callable[[Key], bool] | None = None) -> Env:
+    """What holds on both ways; of variables that cannot differ on them, what holds on the first."""
+    return one if one is two else _merged(one, two, joined, may_differ)
 
 
 def widen(old: Env, new: Env) -> Env:
@@ -175,12 +175,16 @@ def widen(old: Env, new: Env) -> Env:
     return _merged(old, new, widened)
 
 
-def _merged(one: Env, two: Env, merge: Callable[[Value, Value], Value]) -> Env:
+def _merged(
+    one: Env, two: Env, merge: Callable[[Value, Value], Value], may_differ: Callable[[Key], bool] | None = None
+) -> Env:
     """What is made of the values of both; the first itself where that is the same."""
     get = two.get
     found = None
     # Most values are the same object on both ways: only the others are looked at.
     for key in [key for key, value in one.items() if get(key) is not value]:
+        if may_differ is not None and not may_differ(key):
+            continue
         value, other = one[key], get(key)
         both = ANY if other is None else merge(value, other)
         if both is value:

@@ -256,10 +256,7 @@ class Solution:
                 inside = env if inside is None else join(inside, env)
             else:
                 outside = env if outside is None else join(outside, env)
-        if outside is None or inside is None:
-            return outside
-        both = join(outside, inside)
-        return outside if both is outside else _held(outside, both, sets)
+        return outside if outside is None or inside is None else join(outside, inside, sets)
 
     def _pass(self, node: int, env: Env | None) -> None:
         """Send values through a node. What that changes is gone through next."""
@@ -344,17 +341,3 @@ def _once(flows: Flows) -> Flows:
     for target, values in flows:
         found[target] = join(found[target], values) if target in found else values
     return tuple(found.items())
-
-
-def _held(outside: Env, both: Env, sets: Callable[[Key], bool]) -> Env:
-    """What holds in all rounds: of what a loop does not set, what holds before it."""
-    get = both.get
-    found = outside.copy()
-    for key in [key for key, value in outside.items() if get(key) is not value]:
-        if sets(key):
-            value = get(key)
-            if value is None:
-                del found[key]
-            else:
-                found[key] = value
-    return found

@@ -75,6 +75,8 @@ class Expressions:
     def __init__(self, text: str, world: World) -> None:
         self._text = text
         self._world = world
+        self._reads = 0
+        """How many places read something."""
         self.used: set[Hashable] = set()
         self.sets: set[Hashable] = set()
         self.literals: set[Hashable] = set()
@@ -148,8 +150,10 @@ class Expressions:
 
     def assigned(self, target: Node | Token, part: Node | Token) -> Callable[[Env], Env]:
         """What calculates a value and stores it."""
-        store, get, key = self.target(target), self.value(part), self.key(target)
-        if key is not None and isinstance(constant(self._text, part), float):
+        store, key = self.target(target), self.key(target)
+        reads = self._reads
+        get = self.value(part)
+        if key is not None and self._reads == reads and isinstance(constant(self._text, part), float):
             self.literals.add(key)
         if not isinstance(target, Node) or target.kind != "vector" or not self._is_pal(target):
             return Stored(key, get) if key is not None else lambda env: store(env, get(env))
@@ -180,6 +184,7 @@ class Expressions:
 
     def read(self, name: str) -> Get:
         """The value of a parameter by its name."""
+        self._reads += 1
         if not self.is_followed(name):
             return lambda env: ANY
         self.used.add(name)
@@ -265,6 +270,7 @@ class Expressions:
 
     def _aliased(self, part: Node | Token) -> Get:
         at = "ABC".index(self.said(part)[1].upper())
+        self._reads += 1
         self.used |= {ALIAS, *(name for name in self._world.tracked if len(name) == 1)}
 
         def found(env: Env) -> Value:
@@ -292,6 +298,7 @@ class Expressions:
 
     def _element(self, vector: Node) -> Get:
         is_pal, at = self._is_pal(vector), self._literal(vector)
+        self._reads += 1
         self.used.add(None if at is None else self._name(vector, at))
         if at is not None and not (is_pal and at >= MACHINE):
             name, any_ = self._name(vector, at), INTEGERS if is_pal else ANY

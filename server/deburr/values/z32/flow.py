@@ -32,6 +32,9 @@ _MOST = 100_000
 """Ways of computed jumps; a program with more is not looked at."""
 
 
+_NO_KEYS = frozenset[Hashable]()
+
+
 class Torn(Exception):
     """Inside this package: nothing can be said of the program, because its flow hangs on what nobody can see."""
 
@@ -195,12 +198,13 @@ class Builder:
             remarks.clear()
             return flow(env, calls)
 
-        used, sets = frozenset(expressions.used), frozenset(expressions.sets)
+        used, sets = _frozen(expressions.used), _frozen(expressions.sets)
         self._used |= used
         for key in sets:
             self._sets[key] += 1
-            self._literals[key] += key in expressions.literals
-        self._ways[number] = set(ways)
+            if key in expressions.literals:
+                self._literals[key] += 1
+        self._ways[number] = ways if isinstance(ways, set) else set(ways)
         doubtful = bool if sure else expressions.is_doubtful
         remark = silent if sure or change is not None else expressions.remark
         self._nodes[number] = Node(
@@ -350,6 +354,10 @@ class Builder:
         sets = frozenset(key for node in nodes for key in node.sets)
         anything = None in sets or any(node.calls for node in nodes)
         return Head(last, lambda key: anything or key in sets or not isinstance(key, str))
+
+
+def _frozen(keys: set[Hashable]) -> frozenset[Hashable]:
+    return frozenset(keys) if keys else _NO_KEYS
 
 
 def places(parts: Iterable[Part | Token]) -> Span:
