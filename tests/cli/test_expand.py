@@ -361,6 +361,17 @@ def test_a_tool_that_a_given_table_does_not_have_stops_the_run(shell, program: s
     assert "rs274.tool-unknown" in checked.out
 
 
+def test_a_tool_that_comes_late_is_looked_for_as_well(shell) -> None:
+    """Calculated tools are only known in the flat program, of which the first 20,000 lines are followed."""
+    shell.write("p.ngc", "#1=9\no1 repeat [20010]\nG1 F100 X1\no1 endrepeat\nT1 M6\n(T9)\nG43 H[#1]\nM2\n")
+    shell.write("t.tbl", "T1 P1 Z5\n")
+    assert shell.run("expand", "p.ngc", "-o", "out.ngc").code == 0
+    ran = shell.run("expand", "p.ngc", "--tool-table", "t.tbl")
+    assert (ran.code, ran.out) == (1, "")
+    assert ran.err.count("error[") == 1 and "p.ngc:7:5\n" in ran.err
+    assert "[rs274.tool-unknown]: `H9` is tool 9, which the tool table `t.tbl` does not have;" in ran.err
+
+
 def test_a_name_that_nothing_reads_is_warned_of(shell):
     shell.write("a.ngc", "#<width>=5\no<deep> call\nG0 X#<Wi dth> Y#03\nM2\n")
     shell.write("deep.ngc", "o<deep> sub\nG0 Z#<_deep>\no<deep> endsub\n")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -17,7 +18,7 @@ from deburr_grammar.line import LineNode, shapes_of
 from deburr_grammar.text import Span
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from deburr.expand.job import Job
     from deburr.expand.rs274.unit import Unit
@@ -40,6 +41,10 @@ _ON_MOVES = (
     "tool-unknown",
 )
 """Rules on the program as a whole that are about its moves, codes and tools."""
+_ON_TOOLS = "tool-unknown"
+"""The one of them that looks at each line by itself, so that it need not see all of the others."""
+_TOOL = re.compile("[TtHhDdQqPp]")
+"""Letters of words that may name a tool."""
 
 
 class _Step(NamedTuple):
@@ -91,12 +96,19 @@ class _Lines:
         self.places += [place] * len(texts)
 
     def take(self, other: _Lines, count: int) -> None:
-        """Add the first lines of others, as long as they are not too many."""
-        count = max(min(count, _MOST - len(self)), 0)
+        """Add the first lines of others."""
         self.texts += ("" if at in other.asked else text for at, text in enumerate(other.texts[:count]))
         self.rows += other.rows[:count]
         self.numbers += other.numbers[:count]
         self.places += other.places[:count]
+
+    def pick(self, other: _Lines, wanted: Iterable[int]) -> None:
+        """Add some lines of others, as long as they are not too many."""
+        for at in islice(wanted, _MOST - len(self)):
+            self.texts.append("" if at in other.asked else other.texts[at])
+            self.rows.append(other.rows[at])
+            self.numbers.append(other.numbers[at])
+            self.places.append(other.places[at])
 
     def known_shapes(self, dialect: Dialect) -> list[Shape]:
         """The shapes of all."""
@@ -121,6 +133,8 @@ class Judge:
         self._waiting = _Lines()
         self._first = _Lines()
         """The first lines of the flat program, to be looked at together in the end."""
+        self._tools = _Lines()
+        """Those of the later ones that may name a tool."""
 
     def add(self, text: str, unit: Unit, row: int, frame: Frame | None) -> None:
         """A flat line and where it comes from."""
@@ -156,28 +170,43 @@ class Judge:
                 try:
                     self._judge(waiting, at, LineNode(waiting.texts[at], PROGRAM, shape), step, state)
                 except Halt:
-                    self._first.take(waiting, at)
+                    self._keep(waiting, at)
                     self._follow()
                     raise
             if step.after is not state and at not in waiting.asked:
                 state = step.after
                 steps = self._under(state)
         self._state = state
-        self._first.take(waiting, len(waiting))
+        self._keep(waiting, len(waiting))
 
     def finish(self) -> None:
         """Judge what is left, and where the moves of the program lead."""
         self.settle()
         self._follow()
 
+    def _keep(self, lines: _Lines, count: int) -> None:
+        """Keep of the first lines of some what is to be looked at in the end."""
+        first = max(min(count, _MOST - len(self._first)), 0)
+        self._first.take(lines, first)
+        if first < count and self._ruleset.settings["tool-table"]:
+            shapes = lines.known_shapes(self._ruleset.dialect)
+            naming = {shape for shape in set(shapes) if _TOOL.search(shape.text)}
+            self._tools.pick(lines, (at for at in range(first, count) if shapes[at] in naming))
+
     def _follow(self) -> None:
         """Ask the rules that follow the tool through what was written."""
         rules = [rule for rule in self._ruleset.on_whole if rule.short in _ON_MOVES]
-        document = Document.parse("\n".join(self._first.texts), self._ruleset.dialect)
+        self._ask(rules, self._first)
+        self._ask([rule for rule in rules if rule.short == _ON_TOOLS], self._tools)
+
+    def _ask(self, rules: Sequence[Rule], lines: _Lines) -> None:
+        if not lines:
+            return
+        document = Document.parse("\n".join(lines.texts), self._ruleset.dialect)
         analysis = Analysis(document, self._ruleset, "", self._job.host)
         reports = ((rule, report) for rule in rules for report in rule.on_program(analysis) if report is not None)
         for rule, report in sorted(reports, key=lambda found: found[1].line):
-            self._raise(self._first, report.line, document.node(report.line), rule, report)
+            self._raise(lines, report.line, document.node(report.line), rule, report)
 
     def _under(self, state: State) -> dict[Shape, _Step]:
         if len(self._steps) >= _MOST:
