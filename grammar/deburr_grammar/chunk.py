@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import compress, count
 from operator import sub
-from typing import Any
+from typing import Any, NamedTuple
 
 from deburr_grammar.line import Shape, Shapes
 from deburr_grammar.text import line_starts, split_lines, with_newlines
@@ -22,10 +22,31 @@ SIZE = 8_192
 FANOUT = 8
 
 
+class Former(NamedTuple):
+    """What is known of a chunk that an edit changed: its marked lines, what was derived from it, and from which line to which it was changed, both included."""
+
+    marked: array[int]
+    memo: dict[Any, Any]
+    first: int
+    last: int
+
+
 class Chunk:
     """Whole lines of text. Only the last chunk of a document may have a tail behind its last line end."""
 
-    __slots__ = ("_distinct", "_marked", "_needs_depth", "_shapes", "_starts", "chars", "eols", "memo", "table", "text")
+    __slots__ = (
+        "_distinct",
+        "_marked",
+        "_needs_depth",
+        "_shapes",
+        "_starts",
+        "chars",
+        "eols",
+        "former",
+        "memo",
+        "table",
+        "text",
+    )
 
     def __init__(
         self, text: str, table: Shapes, starts: array[int] | None = None, shapes: list[Shape] | None = None
@@ -38,6 +59,8 @@ class Chunk:
         self.eols = _count_ends(text) if starts is None else len(starts) - 1
         self.memo: dict[Any, Any] = {}
         """Room for what is derived from this chunk alone, under keys that name all else that went in."""
+        self.former: Former | None = None
+        """What it was before an edit, until somebody has read it."""
         self._distinct: tuple[Shape, ...] | None = None
         self._marked: array[int] | None = None
         self._needs_depth: bool | None = None

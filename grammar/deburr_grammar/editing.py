@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
-from deburr_grammar.chunk import Branch, Chunk, chunk_at, spliced
+from deburr_grammar.chunk import Branch, Chunk, Former, chunk_at, spliced
 from deburr_grammar.line import Shape
 from deburr_grammar.text import Pos, cut_points, line_starts, with_newlines
 
@@ -57,7 +57,10 @@ def replaced(root: Branch, left: Place, right: Place, start: Pos, end: Pos, new:
     if len(text) < size // 4 and stop < root.chunks:
         region, stop = _joined(region, chunk_at(root, stop)), stop + 1
     table = left.chunk.table
-    return spliced(root, left.number, stop, [Chunk(r.text, table, r.starts, r.shapes) for r in _cut(region, size)])
+    chunks = [Chunk(r.text, table, r.starts, r.shapes) for r in _cut(region, size)]
+    if len(chunks) == 1 and left.chunk is right.chunk and stop == right.number + 1 and region.shapes is not None:
+        chunks[0].former = Former(left.chunk.marked, left.chunk.memo, first, end.line - right.line)
+    return spliced(root, left.number, stop, chunks)
 
 
 def _patched(damage: _Damage, text: str) -> _Region:

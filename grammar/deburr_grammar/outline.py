@@ -6,6 +6,7 @@ has met, a branch keeps the sum over its children; so a changed state runs on on
 meets one that is known.
 """
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Hashable, Iterator
 from functools import lru_cache
 from itertools import pairwise
@@ -46,13 +47,14 @@ class Summed(NamedTuple):
 
 
 class Outlined(NamedTuple):
-    """A chunk under a state: from which line on which reading holds, its brackets with their lines and what is left of them, and what holds behind it."""
+    """A chunk under a state: from which line on which reading holds, its brackets with their lines and what is left of them, what holds behind it, and what its marked lines do."""
 
     runs: tuple[tuple[int, Reading], ...]
     brackets: tuple[tuple[int, Bracket], ...]
     balance: Balance
     state: Hashable
     left: Reduction
+    steps: tuple[Step, ...]
 
     def reading(self, index: int) -> Reading:
         """How a line of the chunk is read."""
@@ -142,13 +144,36 @@ class Outliner:
         outline = self.dialect.outline
         runs, state = [(0, outline.reading(before.state))], before.state
         found: list[tuple[int, Bracket]] = []
-        for index, _, step, _ in self.steps(chunk, before):
+        steps = tuple(self._steps(chunk, before))
+        for index, step in zip(chunk.marked, steps):
             state = step.state
             _run(runs, index, step.reading)
             found += [(index, bracket) for bracket in step.brackets]
             _run(runs, index + 1, outline.reading(state))
         left = reduction(found)
-        return Outlined(tuple(runs), tuple(found), left.balance, state, left)
+        return Outlined(tuple(runs), tuple(found), left.balance, state, left, steps)
+
+    def _steps(self, chunk: Chunk, before: Before) -> Iterator[Step]:
+        """What the marked lines of a chunk do. Where an edit left a line and the state before it as they were, it does what it did."""
+        former, chunk.former = chunk.former, None
+        known: Outlined | None = None if former is None else former.memo.get(self.key(chunk, before))
+        if former is None or known is None or chunk.needs_depth:
+            yield from (stepped.step for stepped in self.steps(chunk, before))
+            return
+        marked, state, shapes = chunk.marked, before.state, chunk.shapes
+        above = bisect_left(former.marked, former.first)
+        below = bisect_right(former.marked, former.last)
+        yield from known.steps[:above]
+        state = known.steps[above - 1].state if above else state
+        kept = len(marked) - (len(former.marked) - below)
+        for number in range(above, len(marked)):
+            old = number - kept + below
+            if number >= kept and (known.steps[old - 1].state if old else before.state) == state:
+                yield from known.steps[old:]
+                return
+            step = _step(self.dialect, self.facts, state, -1, shapes[marked[number]], chunk.line(marked[number]))
+            yield step
+            state = step.state
 
 
 @lru_cache(maxsize=4_096)

@@ -9,6 +9,7 @@ from deburr_grammar.chunk import FANOUT, Branch, Chunk, chunk_at, grown
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.dialects import by_name
 from deburr_grammar.document import Piece
+from deburr_grammar.outline import _step
 from support import naive
 from support.equality import TALLY, answers
 
@@ -300,3 +301,39 @@ def test_one_answer_too_many_costs_no_other() -> None:
         document.gathered(key, lines)
     assert not asked
     assert max(len(chunk.memo) for chunk in document.chunks()) < 100
+
+
+def test_an_edit_asks_the_outline_for_the_lines_that_it_touched() -> None:
+    """One chunk holds 200 marked lines; all but the edited one do behind the edit what they did."""
+    text = "".join(f"o{number} if [#1 GT {number}]\nG0 X1\no{number} endif\n" for number in range(100))
+    document = Document.parse(text, by_name("rs274"))
+    assert not document.faults
+    for line, col, typed in ((150, 4, " "), (100, 0, "\n\n"), (0, 0, " "), (302, 0, "G0")):
+        document = document.edit(Edit(Pos(line, col), Pos(line, col), typed))
+        _step.cache_clear()
+        assert not document.faults
+        assert _step.cache_info().misses <= 1
+    assert len(list(document.brackets())) == 200
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "before", "after"),
+    [
+        ("{}\nG0 X1\no1 while [#1]\no2 if [1]\no2 endif\no1 endwhile\n", 0, "o1 do", "o1 repeat [2]"),
+        ("o2 if [1]\n{}\nG0 X1\no1 while [#1]\no2 endif\n", 1, "o1 do", "o3 do\n\no1 do"),
+        ("%\no1 sub\no1 endsub\n{}\no2 sub\no2 endsub\n", 3, "G0", "%"),
+        ("o1 sub\no1 endsub\n{}\no2 if [1]\no2 endif\n", 2, "G0", "M2"),
+    ],
+)
+@pytest.mark.parametrize("forth", [True, False])
+def test_what_an_edit_makes_of_the_lines_behind_it(text: str, line: int, before: str, after: str, forth: bool) -> None:
+    """The edited line decides what those behind it do, in the same chunk; and back again."""
+    dialect, states = by_name("rs274"), (before, after) if forth else (after, before)
+    document = Document.parse(text.format(states[0]), dialect)
+    answers(document)
+    for old, new in (states, states[::-1]):
+        lines = old.split("\n")
+        end = Pos(line + len(lines) - 1, len(lines[-1]))
+        document = document.edit(Edit(Pos(line, 0), end, new))
+        assert document.text == text.format(new)
+        assert answers(document) == answers(Document.parse(text.format(new), dialect))
