@@ -35,6 +35,7 @@ _ON_MOVES = (
     "cycle-depth",
     "feed-zero",
     "g-unknown",
+    "inside-arc-small",
     "m-unknown",
     "polar-at-origin",
     "probe-in-place",

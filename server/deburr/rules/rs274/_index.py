@@ -43,6 +43,7 @@ ROWS: tuple[tuple[Any, ...], ...] = (
     ('g_group', 3, True, False, False, 'Nodes', {'kinds': ('line',), 'by_shape': True}, False),
     ('g_unknown', 3, True, False, False, 'Whole', {}, False),
     ('in_compensation', 3, True, False, False, 'Modal', {'kinds': ('word',)}, True),
+    ('inside_arc_small', 3, True, False, False, 'Whole', {}, False),
     ('integer_required', 3, True, False, False, 'Nodes', {'kinds': ('param', 'word'), 'by_shape': False}, True),
     ('lathe_cycle', 3, True, False, False, 'Modal', {'kinds': ('word',)}, False),
     ('limit', 3, True, False, True, 'Ran', {}, False),

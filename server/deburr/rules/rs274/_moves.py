@@ -257,7 +257,8 @@ def _modes(line: Line, state: State, motions: Set[str], letters: str) -> Modes |
     if motion(found, state) not in motions or not _is_literal(line, letters) or share is None:
         return None
     said = [letter for letter in found.letters if letter not in "GM"]
-    if len(said) != len(set(said)) or not found.has.isdisjoint("@^"):
+    # Beside a code that takes the axis words no move is made: another rule speaks.
+    if len(said) != len(set(said)) or not found.has.isdisjoint(("@", "^", *_LAYS)):
         return None
     if governs(found, state, "cutter-compensation") != "G40":
         return None
