@@ -223,8 +223,6 @@ class _Index:
         self._language = language
         self._names = language.names(document)
         self.key = ("symbols", self._names)
-        self.locals = Gathering(("locals", self._names), self.tally, _one_behind_the_other)
-        self._regions = Gathering(("regions", document.dialect.name), self._opens, _opened)
 
     @classmethod
     def of(cls, document: Document) -> _Index | None:
@@ -237,6 +235,15 @@ class _Index:
         if act is None:
             return self._document.holding(self.key, self.symbols, symbol)
         return self._document.holding((self.key, act), self.doing(act), symbol)
+
+    @property
+    def locals(self) -> Gathering[Tally]:
+        """How often local symbols are named in each region."""
+        return Gathering(("locals", self._names), self.tally, _one_behind_the_other)
+
+    @property
+    def _regions(self) -> Gathering[Opened]:
+        return Gathering(("regions", self._document.dialect.name), self._opens, _opened)
 
     def folds(self) -> Iterator[Callable[[], object]]:
         """What questions fold from all pieces."""

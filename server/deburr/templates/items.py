@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
+from weakref import ref
 
 from deburr_grammar.dialect import Role
 from deburr_grammar.dialects.cgt.outline import brackets, misspelt_tests
@@ -77,7 +78,8 @@ class Body:
     opener: Item | None = None
     head: Item | None = None
     """The `#IF`, `#ELSE` or `#REPEAT` in front."""
-    parent: Body | None = None
+    parent: ref[Body] | None = None
+    """What it stands in: whoever asks has that. Weak, so that a template goes with its last user, without a look for garbage."""
     depth: int = 0
     parts: list[Item | Body] = field(default_factory=list)
     closer: Item | None = None
@@ -88,10 +90,10 @@ class Body:
 
     def around(self) -> Iterator[Body]:
         """The bodies around it, innermost first."""
-        outer = self.parent
-        while outer is not None:
+        body = self
+        while body.parent is not None and (outer := body.parent()) is not None:
             yield outer
-            outer = outer.parent
+            body = outer
 
     def bodies(self) -> Iterator[Body]:
         """All bodies in it, itself first."""
@@ -188,7 +190,7 @@ class Builder:
             # A word that nobody knows may be a command; one with a body has it on its own line.
             doubtful, head = doubtful and (head.name == "?" or head.line == item.line), None
         kind = "unknown" if doubtful else head.kind if head else "bracket"
-        body = Body(kind, item, head, self._stack[-1], len(self._stack))
+        body = Body(kind, item, head, ref(self._stack[-1]), len(self._stack))
         parts.append(body)
         self._opened(body)
         self._stack.append(body)
