@@ -54,6 +54,8 @@ def drive(job: Job) -> Iterator[None]:
     except Halt as halt:
         job.halted = True
         job.meet(halt.fault)
+    finally:
+        job.dissolve()
     job.over()
 
 

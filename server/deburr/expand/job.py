@@ -88,6 +88,8 @@ class Job:
         """Whether the last fault ended the run."""
         self.where: Callable[[], str] = str
         """What the run is in, in words: a loop and its variable's last values; nothing outside of loops."""
+        self.parts: list[object] = []
+        """What the run is made of that refers to itself: lists, and objects with attributes."""
         self.unread: list[str] = []
         """What there is to say of values that were given by name for the run, and that nothing in its texts reads."""
         self.held = Held()
@@ -170,6 +172,13 @@ class Job:
         if (key := _key(fault)) not in self._met:
             self._met.add(key)
             self.faults.append(fault)
+
+    def dissolve(self) -> None:
+        """Empty what the run was made of, so that it goes at once and not with the next look for garbage, of which there are few in an editor."""
+        self.where = str
+        for part in self.parts:
+            (part if isinstance(part, list) else vars(part)).clear()
+        self.parts.clear()
 
     def over(self) -> None:
         """Report what is wrong with the texts and was never met. What ended the run stays the last."""

@@ -73,6 +73,7 @@ class Run:
         self._given = JobData(toolpath_of(job), self._template, job.inputs.ways)
         self._state = State(job, program.file, self._words, self._unit_of)
         job.where = self._state.where
+        job.parts += (self, self._state)
         self._pieces = Pieces(self._state, self._template, self._given)
         self._units: dict[str, Unit | None] = {}
         self._called = {target(call)[0] for call, _ in self._template.calls()}

@@ -70,6 +70,7 @@ class Run:
     def __init__(self, job: Job, gathered: Gathered, values: dict[str, str], unsure: bool) -> None:
         self._job = job
         job.where = self._where
+        job.parts.append(self)
         self._gathered = gathered
         self._values = values
         self._unsure = unsure

@@ -38,6 +38,7 @@ class Compiler:
 
     def __init__(self, run: Run) -> None:
         self._run = run
+        run.job.parts.append(self)
         self.state = run.state
         self.flow = Flow(run, self)
         self._templates = Templates(run, self)

@@ -56,6 +56,7 @@ class Run:
     def __init__(self, job: Job) -> None:
         self.job = job
         job.where = self._where
+        job.parts.append(self)
         machine = Machine(job)
         self.state = State(job, machine)
         machine.state = self.state
@@ -68,6 +69,7 @@ class Run:
     def all(self, unit: Unit) -> Iterator[None]:
         """From the first line to the end."""
         self.main = self.unit = unit
+        self.job.parts += (unit, unit.code)
         self.row = 0
         yield from self.reached.hold(unit, called=False)
         yield from self._prepare(unit)

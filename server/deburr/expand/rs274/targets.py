@@ -87,7 +87,9 @@ class Targets:
     def load(self, label: str) -> Unit | None:
         """The file of a label, read when it is first asked for."""
         if label not in self._units:
-            self._units[label] = loaded(self._run.job, label)
+            unit = self._units[label] = loaded(self._run.job, label)
+            if unit is not None:
+                self._run.job.parts += (unit, unit.code)
         return self._units[label]
 
     def _know(self, label: str, unit: Unit, row: int) -> None:

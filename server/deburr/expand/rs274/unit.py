@@ -78,7 +78,11 @@ class Unit:
         """Rows at which a run stops that only heeds what it reaches, and those whose lines it has to judge."""
         self.seen: list[int] = []
         """Rows of which such a run may mind something even where it passes over them, in order."""
-        self.stretches = Stretches(self)
+
+    @cached_property
+    def stretches(self) -> Stretches:
+        """Its lines that can be copied as they are."""
+        return Stretches(self)
 
     @classmethod
     def making(cls, file: str, document: Document) -> Generator[None, None, Unit]:

@@ -108,5 +108,7 @@ class Programs:
             text = self._host.read(path)
             dialect = self._job.ruleset.dialect
             document = Document.parse(text.removeprefix("\ufeff"), dialect) if text is not None else None
-            self._units[path] = Unit(path, document) if document is not None else None
+            unit = self._units[path] = Unit(path, document) if document is not None else None
+            if unit is not None:
+                self._job.parts += (unit, unit.code)
         return self._units[path]

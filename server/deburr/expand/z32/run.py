@@ -59,6 +59,7 @@ class Run:
     def __init__(self, job: Job, unit: Unit) -> None:
         self._job = job
         job.where = self._where
+        job.parts += (self, unit, unit.code)
         self._state = State(job, unit)
         self._flow = Flow(self._state)
         self._keep_n = job.inputs.keep_n
