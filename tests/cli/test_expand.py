@@ -431,3 +431,44 @@ def test_a_misspelt_name_is_warned_of_where_nothing_is_run_either(shell, fault):
     assert ran.code == 1 and ran.err.startswith(warning)
     assert "warning: -D" not in shell.run("expand", "-q", "a.ngc", "-D", "_deth=4").err
     assert "warning: -D" not in shell.run("expand", "a.ngc", "-D", "_depth=4").err
+
+
+NEAR_HALF = "G21 G90 G17 F100\n#1=15.000005\nG0 X0 Y0\nG2 X[30] Y0 R#1\nG2 X[60] R#1\nM2\n"
+"""Arcs whose centre lies sqrt(15.000005^2 - 15^2) = 0.0122 mm beside the line between their ends, as the interpreter prints it, too."""
+MOVED = "deburr: warning: p.ngc:4: `--decimals {}` moves the centre of this arc by {} mm; more decimals keep it\n"
+
+
+@pytest.mark.parametrize(
+    ("decimals", "said"),
+    [
+        ("4", MOVED.format(4, "0.012")),
+        # R15.00001: sqrt(15.00001^2 - 15^2) = 0.0173.
+        ("5", MOVED.format(5, "0.005")),
+        ("6", ""),
+        ("exact", ""),
+    ],
+)
+def test_a_centre_that_rounding_moves(shell, decimals, said):
+    shell.write("p.ngc", NEAR_HALF)
+    assert shell.run("expand", "p.ngc", "--decimals", decimals, "-o", "flat.ngc") == (0, "", said)
+    assert shell.run("expand", "p.ngc", "--decimals", decimals, "-q", "-o", "flat.ngc") == (0, "", "")
+
+
+def test_arcs_that_rounding_leaves_where_they_are(shell):
+    # A quarter of a circle, and a centre that is written: what is moved is moved by what was rounded, no more. The R is in a comment.
+    shell.write(
+        "p.ngc", "G21 G90 F100\n#1=[1/3]\nG0 X0 Y0\nG2 X[10+#1] Y[10+#1] R[10+#1]\nG3 X[#1] Y[#1] I-5 J-5 (R)\nM2\n"
+    )
+    assert shell.run("expand", "p.ngc", "--decimals", "3", "-o", "flat.ngc") == (0, "", "")
+
+
+def test_an_arc_that_rounding_makes_impossible(shell):
+    # A way of 20.006 mm with a radius of 10.0031 becomes one of 20.01 with a radius of 10, which the interpreter refuses as too small.
+    shell.write("p.ngc", "G21 G90 G17 F100\n#1=10.0031\nG0 X0 Y0\nG2 X[20.006] Y0 R#1\nM2\n")
+    said = "deburr: warning: p.ngc:4: it is `--decimals 2` that makes this arc one that the control refuses; with more it is none\n"
+    found = shell.run("expand", "p.ngc", "--decimals", "2", "-o", "flat.ngc")
+    assert (found.code, found.err.splitlines(keepends=True)[0]) == (1, said)
+    assert shell.run("expand", "p.ngc", "--decimals", "4", "-o", "flat.ngc") == (0, "", "")
+    # Here it is the program that is wrong.
+    shell.write("p.ngc", "G21 G90 G17 F100\n#1=10.0\nG0 X0 Y0\nG2 X[20.012] Y0 R#1\nM2\n")
+    assert "--decimals" not in shell.run("expand", "p.ngc", "--decimals", "2", "-o", "flat.ngc").err

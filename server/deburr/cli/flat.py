@@ -122,13 +122,14 @@ class Flat:
         self.file.seek(0)
         return self.file.read().decode(self._encoding).split(self._eol.decode()) if self.count else []
 
-    def path(self) -> "Path":
-        """Where it goes, on the machine that is configured."""
+    def path(self, lines: Sequence[str] | None = None) -> "Path":
+        """Where it goes, on the machine that is configured; or where other flat lines go there."""
         from deburr.motion.follow import follow
         from deburr.motion.form import form_of
 
         first = self.programs[0]
-        return follow(self.lines(), form_of(first.ruleset, first.host, self.terms.inputs.simulate))
+        form = form_of(first.ruleset, first.host, self.terms.inputs.simulate)
+        return follow(self.lines() if lines is None else lines, form)
 
     def written(self, output: str | None, source_map: str | None, stats: str | None = None) -> int:
         """Put the flat program where it is wanted; the exit code. ``stats``: what stands in it is printed, in its place or beside its file."""
@@ -217,6 +218,10 @@ def _run(flat: Flat) -> Iterator[Finding]:
         print(file=sys.stderr)
     flat.whole = not job.halted
     _warn(job.unread, flat.terms)
+    if flat.terms.inputs.decimals is not None and not flat.terms.quiet:
+        from deburr.cli.rounding import Rounded, said_of_rounding
+
+        _warn(said_of_rounding(Rounded(job, flat.lines), flat.path, style_for(sys.stderr).file), flat.terms)
     documents = {each.file: each for each in flat.programs}
     for fault in job.faults:
         if fault.given:
