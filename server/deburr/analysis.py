@@ -27,7 +27,10 @@ _LINES = 64
 
 
 class Analysis:
-    """A document, its rule set and the files around it."""
+    """A document, its rule set and the files around it.
+
+    What is derived from it holds it in turn; in an editor, which looks for garbage seldom, ``with`` lets go of all that at the end.
+    """
 
     def __init__(
         self,
@@ -52,6 +55,26 @@ class Analysis:
         """What the operator and the machine would give, as far as it is known."""
         self._run = run
         self._prove = prove
+        self._nested: list[Analysis] = []
+
+    def __enter__(self) -> Analysis:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.let_go()
+
+    def let_go(self) -> None:
+        """Let go of all that is derived."""
+        for each in self._nested:
+            each.let_go()
+        self._nested.clear()
+        self.memo.clear()
+
+    def nested(self, document: Document, file: str) -> Analysis:
+        """That of another file, under the same rules; it goes with this one."""
+        found = Analysis(document, self.ruleset, file, self.host)
+        self._nested.append(found)
+        return found
 
     @property
     def dialect(self) -> Dialect:

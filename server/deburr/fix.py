@@ -178,9 +178,9 @@ def in_endings(document: Document, edits: Iterable[Edit]) -> tuple[Edit, ...]:
 def cures(analysis: Analysis, finding: Finding, edits: Iterable[Edit]) -> bool:
     """Whether edits take away what lines and blocks decide of a finding, and bring nothing new: costs what they touch."""
     edits = sorted(edits)
-    after = Analysis(applied(analysis.document, edits), analysis.ruleset, analysis.file, analysis.host)
     was = _said(analysis, {line for edit in edits for line in range(edit.start.line, edit.end.line + 1)})
-    now = _said(after, set(_behind(edits)))
+    with Analysis(applied(analysis.document, edits), analysis.ruleset, analysis.file, analysis.host) as after:
+        now = _said(after, set(_behind(edits)))
     same = (finding.rule, finding.message)
     if was[same] and now[same] >= was[same]:
         return False

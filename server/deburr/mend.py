@@ -61,15 +61,16 @@ def _round(
     document: Document, look: Callable[[Document], Analysis], unsafe: bool
 ) -> Generator[None, None, list[_Plan]]:
     """The fixes that hold together; where all of them do not, half of them are tried, and so on."""
-    analysis = look(document)
-    findings = yield from analysis.gathering()
+    with look(document) as analysis:
+        findings = yield from analysis.gathering()
+        plan = list(_apart(_plans(analysis, findings, unsafe)))
     best = Counter(each.rule for each in findings)
     taken: list[_Plan] = []
-    plan = list(_apart(_plans(analysis, findings, unsafe)))
     waiting = [plan] if plan else []
     while waiting:
         part = waiting.pop()
-        left = yield from look(_behind(document, [*taken, *part])).gathering()
+        with look(_behind(document, [*taken, *part])) as analysis:
+            left = yield from analysis.gathering()
         after = Counter(each.rule for each in left)
         if after.total() < best.total() and not after - best:
             taken, best = [*taken, *part], after

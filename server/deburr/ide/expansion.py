@@ -39,8 +39,8 @@ def expanding(
     inputs, views = inputs or Inputs(), (view, *more)
     found: list[Finding] = []
     for each in views:
-        gathering = Analysis(each.document, each.ruleset, each.file, each.host, inputs=inputs).gathering()
-        found += yield from _counting(gathering)
+        with Analysis(each.document, each.ruleset, each.file, each.host, inputs=inputs) as analysis:
+            found += yield from _counting(analysis.gathering())
     lines, source_map = Kept(), SourceMap()
     module = interpreter(view.dialect.name)
     found = before_a_run(found, view.dialect, inputs, len(views))

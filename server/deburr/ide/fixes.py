@@ -35,11 +35,11 @@ class QuickFix(NamedTuple):
 
 def quick_fixes(view: View, findings: Iterable[Finding]) -> list[QuickFix]:
     """All that can be done about findings of a program, in its own text; of very many, about the first ones."""
-    analysis = Analysis(view.document, view.ruleset, view.file, view.host)
     found: list[QuickFix] = []
-    for finding in islice(findings, LOOKED_AT):
-        if finding.place.file == view.file and finding.place.line < view.document.line_count:
-            found += [*_mended(analysis, finding), *_allowed(analysis, finding)]
+    with Analysis(view.document, view.ruleset, view.file, view.host) as analysis:
+        for finding in islice(findings, LOOKED_AT):
+            if finding.place.file == view.file and finding.place.line < view.document.line_count:
+                found += [*_mended(analysis, finding), *_allowed(analysis, finding)]
     return found
 
 

@@ -68,18 +68,21 @@ def proven(view: View, placed: Placed) -> Told | None:
     if language is None or placed.mention.symbol.sort is not Sort.VARIABLE:
         return None
     written = language.written(placed.mention.symbol)
-    return told_at(_analysis(view), placed.line, written, placed.mention.act is Act.SET)
+    with _analysis(view) as analysis:
+        return told_at(analysis, placed.line, written, placed.mention.act is Act.SET)
 
 
 def passes(view: View, line: int) -> tuple[Span, str] | None:
     """How often the loop goes round whose condition stands on a line, in words, and the columns that say so; None if it is not proven."""
-    found = passes_at(_analysis(view), line)
+    with _analysis(view) as analysis:
+        found = passes_at(analysis, line)
     return None if found is None else (found[0], count(found[1]))
 
 
-def loops(view: View) -> Iterator[tuple[int, Span, str]]:
+def loops(view: View) -> list[tuple[int, Span, str]]:
     """The loops of which it is proven how often they go round: the line of the condition, the columns that say so, how often in words."""
-    return ((line, span, count(times)) for line, span, times in all_passes(_analysis(view)))
+    with _analysis(view) as analysis:
+        return [(line, span, count(times)) for line, span, times in all_passes(analysis)]
 
 
 def _analysis(view: View) -> Analysis:
@@ -101,9 +104,9 @@ def _proven(view: View, placed: Placed) -> Value | None:
     """The one number that a name holds on every way that a program can take to a place."""
     language = language_of(view.dialect.name)
     assert language is not None
-    analysis = Analysis(view.document, view.ruleset, view.file, view.host)
     written, behind = language.written(placed.mention.symbol), placed.mention.act is Act.SET
-    value = value_at(analysis, placed.line, written, behind)
+    with _analysis(view) as analysis:
+        value = value_at(analysis, placed.line, written, behind)
     return Value(said(value), "on every way to this line") if value is not None and value.exact else None
 
 

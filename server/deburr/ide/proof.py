@@ -57,7 +57,8 @@ def _alike(before: Flat, after: Flat) -> bool:
 
 
 def _said(view: View, document: Document, host: Host) -> Work[Counter[str]]:
-    findings = yield from Analysis(document, view.ruleset, view.file, host).gathering()
+    with Analysis(document, view.ruleset, view.file, host) as analysis:
+        findings = yield from analysis.gathering()
     return Counter(each.rule for each in findings)
 
 

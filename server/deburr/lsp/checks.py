@@ -109,10 +109,10 @@ class Checks:
         view = program.view
         known.whole = False
         if view is not None:
-            analysis = Analysis(view.document, view.ruleset, view.file, view.host)
-            known.still = moved(known.still, edits, analysis).also(found_anew(edits, analysis))
-            known.ran = moved(known.ran, edits, analysis)
-            known.blocks = tuple(once(structural(analysis)))
+            with Analysis(view.document, view.ruleset, view.file, view.host) as analysis:
+                known.still = moved(known.still, edits, analysis).also(found_anew(edits, analysis))
+                known.ran = moved(known.ran, edits, analysis)
+                known.blocks = tuple(once(structural(analysis)))
             self._say(program.file)
         self._leave(program.file)
         release(known, Outdated())
@@ -186,15 +186,13 @@ class Checks:
         host: Host = view.host if needs is None else needs
         run = self._run if self._session.settings.of(file).runs else None
         before = set(known.elsewhere)
-        analysis = Analysis(view.document, view.ruleset, file, host, run=run, prove=self._prove)
-        try:
-            yield from self._gone_through(analysis, known)
-        except Exception as error:
-            self._failed(error)
-        finally:
-            # What was derived holds the analysis, which holds it: let go, it need not be looked for.
-            self._idle.later(MOMENT, let_go(list(analysis.memo.values())))
-            analysis.memo.clear()
+        with Analysis(view.document, view.ruleset, file, host, run=run, prove=self._prove) as analysis:
+            try:
+                yield from self._gone_through(analysis, known)
+            except Exception as error:
+                self._failed(error)
+            finally:
+                self._idle.later(MOMENT, let_go(list(analysis.memo.values())))
         self._finish(known, file, needs, before)
         if file in self._session.open_files:
             self._idle.start((_READING, file), self._read(file, view))

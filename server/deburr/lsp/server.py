@@ -247,6 +247,12 @@ def _read(stream: Stream, frames: Frames, server: Server) -> None:
     server.loop.call_soon_threadsafe(server.ended)
 
 
+def _bare(error: JsonRpcException) -> JsonRpcException:
+    """An answer without the frames that it came through: they hold the program, and the future that holds the answer is in one of them."""
+    error.__context__ = error.__cause__ = None
+    return error.with_traceback(None)
+
+
 def _safe(server: Server, function: Callable[..., Any]) -> Callable[..., Any]:
     """The handler for pygls: one that goes wrong answers nothing, and the fault is logged."""
     method = getattr(function, _FEATURE)
@@ -256,7 +262,9 @@ def _safe(server: Server, function: Callable[..., Any]) -> Callable[..., Any]:
             started = monotonic()
             try:
                 return await function(server, params)
-            except (JsonRpcException, asyncio.CancelledError):
+            except JsonRpcException as error:
+                raise _bare(error) from None
+            except asyncio.CancelledError:
                 raise
             except Exception as error:
                 server.failed(error)
@@ -270,8 +278,8 @@ def _safe(server: Server, function: Callable[..., Any]) -> Callable[..., Any]:
         started = monotonic()
         try:
             return function(server, params)
-        except JsonRpcException:
-            raise
+        except JsonRpcException as error:
+            raise _bare(error) from None
         except Exception as error:
             server.failed(error)
             return None

@@ -56,10 +56,10 @@ class Run:
     def __init__(self, job: Job) -> None:
         self.job = job
         job.where = self._where
-        job.parts.append(self)
         machine = Machine(job)
         self.state = State(job, machine)
         machine.state = self.state
+        job.parts += (self, self.state, machine)
         self.reached = Reached(job, self.state)
         first_values(self.state)
         machine.started()

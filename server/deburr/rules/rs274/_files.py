@@ -195,7 +195,7 @@ class World:
 
     def _errors_of(self, path: str, program: Program) -> list[Finding]:
         if path not in self._errors:
-            nested = Analysis(program.document, self._analysis.ruleset, path, self._analysis.host)
+            nested = self._analysis.nested(program.document, path)
             nested.memo[_NESTED] = True
             found = [each for each in nested.findings() if each.severity is Severity.ERROR]
             self._errors[path] = [each for each in found if each.rule not in _INSIDE]

@@ -121,9 +121,7 @@ class Programs:
         if path not in self._files:
             root, text = self._root, self._root.host.read(path)
             read = text is not None and len(text) <= LARGEST
-            self._files[path] = (
-                Analysis(Document.parse(text or "", root.dialect), root.ruleset, path, root.host) if read else None
-            )
+            self._files[path] = root.nested(Document.parse(text or "", root.dialect), path) if read else None
         return self._files[path]
 
 
