@@ -100,6 +100,25 @@ def test_nothing_is_said_of_what_is_not_proven(name: str) -> None:
     assert [each for each in proofs(_analysed(SILENT[name])) if each.severity > Severity.INFO] == []
 
 
+ALIKE: dict[str, list[tuple[str, int, int, int]]] = {
+    "X<5/(HA-2)>\nX<500/(HA-10)>\nX<50/(HA-1)>\n": [("z32.divide-by-zero", 5, 5, 11)],
+    "PAL[10]<HA+1>\nPAL[9]<HA+20>\n!PAR[1]=10/(PAL[9]-2)!\n!PAR[5]=100/(PAL[10]-2)!\n": [("z32.divide-by-zero", 6, 12, 23)],
+    "!IF HA>100; HB=1!\n!IF HA>0; HB=1!\n!IF HA>10; HB=1!\nX<HB>\n": [
+        ("z32.condition-constant", 3, 4, 10),
+        ("z32.condition-constant", 4, 4, 8),
+        ("z32.condition-constant", 5, 4, 9),
+    ],
+    "!HB=1/2!\n!HB=1/0!\n": [("z32.divide-by-zero", 4, 6, 7)],
+}  # fmt: skip
+"""Behind `HA1` and a line that calculates it again: lines that differ only in their numbers, and where something is found."""
+
+
+@pytest.mark.parametrize("text", ALIKE)
+def test_lines_that_differ_in_their_numbers_are_told_apart(text: str) -> None:
+    found = [(each.rule, each.place) for each in proofs(_analysed(f"HA1\nHA<HA*1>\n{text}"))]
+    assert [(rule, at.line, at.col, at.end_col) for rule, at in found] == ALIKE[text]
+
+
 def test_the_chain_is_told() -> None:
     program = "HA3\nN10 X<HA>\n!HA=HA-1; IF HA>0; GON10!\n!GOP1!\nX<1/HB>\nM30\n:1\n!HB=HA*2!\nG26\n"
     (found,) = proofs(_analysed(program))

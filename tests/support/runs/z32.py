@@ -161,7 +161,7 @@ class _Watch:
 
         def stepping(fields: Fields, field) -> Step:  # type: ignore[no-untyped-def]
             node = fields._state.program.unit.document.node(fields._row)
-            parts = [each.start for group in fields_of(node) for each in group]
+            parts = [each.start for group in fields_of(node.tree) for each in group]
             place = (fields._values._file, fields._row, parts.index(field.start))
             op = self._judged(place, field, step(fields, field))
             return self._around(place, fields._state, op) if place[:2] in self._known.taking else op

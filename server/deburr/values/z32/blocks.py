@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from deburr.arithmetic.z32 import constant
 from deburr.values.graph import RETURN, STOP, Calls, Env, Flows
 from deburr.values.z32.expressions import ALIAS, Expressions, Get, Unread, named, put
-from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
 if TYPE_CHECKING:
     from deburr.values.z32.flow import Builder
     from deburr.values.z32.lines import Taken
+    from deburr.values.z32.text import Text
 
 _ENDS = (2.0, 30.0)
 """M2 and M30."""
@@ -22,19 +21,22 @@ _KNOWN = frozenset(("word", "g_word", "axis_alias", "nword", "COMMENT", "DELETE"
 
 def add_block(builder: Builder, at: int, line: Taken) -> None:
     """Take a block in as a node."""
-    node = line.node
-    expressions, block = builder.made(at).part(0, lambda found: _Block(node.text, node.tree, found))
+    node, said = line.node, builder.made(at).text
+    expressions, (block, change) = builder.made(at).part(
+        0, lambda found: _Block(node.shape.tree(node.reading), found).bound
+    )
     left, behind = builder.leaving(at), builder.behind(at)
     ends, returns = block.ends, block.returns
     number, codes, steps = builder.first(at), block.codes, block.steps
-    condition = block.title if at == 0 and builder.only_called else None
+    condition = said.span(block.title) if block.title is not None and at == 0 and builder.only_called else None
     ways = () if ends else (RETURN,) if returns else builder.exits(at, [behind])
-    if block.change is not None and not builder.is_end(at):
+    if change is not None and not builder.is_end(at):
         to = RETURN if returns else behind
-        builder.add_change(number, at, to, block.change, expressions, ways, condition=condition, sure=not steps)
+        builder.add_change(number, at, to, change, expressions, ways, condition=condition, sure=not steps)
         return
 
     def executed(env: Env, calls: Calls) -> Flows:
+        expressions.text = said
         values = [get(env) for get in codes]
         for step in steps:
             env = step(env)
@@ -47,31 +49,33 @@ def add_block(builder: Builder, at: int, line: Taken) -> None:
 
 
 class _Block:
-    """What the words of a block calculate and store."""
+    """What the words of the blocks of a shape calculate and store."""
 
-    def __init__(self, text: str, tree: Node, expressions: Expressions) -> None:
-        self._text = text
+    def __init__(self, tree: Node, expressions: Expressions) -> None:
         self._expressions = expressions
         self.steps: list[Callable[[Env], Env]] = []
         self.ends = self.returns = False
         self.codes: list[Get] = []
         """M codes that are calculated: they may be M2 or M30."""
-        self.title: Span | None = None
-        """The columns of the section's name that it starts."""
+        self.title: Node | Token | None = None
+        """The name of the section that it starts."""
         for part in tree.children:
             self._take(part)
-        self.change = expressions.in_turn(self.steps) if not (self.ends or self.codes) else None
-        """What it makes of the values; None where it may end the program."""
+        self._bind = expressions.in_turn(self.steps) if not (self.ends or self.codes) else None
+
+    def bound(self, text: Text) -> tuple[_Block, Callable[[Env], Env] | None]:
+        """It, and what a line makes of the values; None where it may end the program."""
+        return self, self._bind(text) if self._bind is not None else None
 
     def _take(self, part: Node | Token) -> None:
         if part.kind not in _KNOWN:
             raise Unread
         if part.kind == "section" and self.title is None:
-            self.title = Span(part.start, part.end)
+            self.title = part
         if not isinstance(part, Node):
             return
         if part.kind == "axis_alias":
-            self._alias(self._text[part.start : part.end].upper()[-3:])
+            self._alias(self._expressions.said(part).upper()[-3:])
         elif part.kind == "g_word":
             self.returns = self.returns or part.children[0].kind == "G26"
         elif part.kind == "word":
@@ -86,8 +90,8 @@ class _Block:
 
     def _word(self, target: Node | Token, value: Node | Token) -> None:
         expressions = self._expressions
-        if self._text[target.start : target.end].upper() == "M":
-            literal = constant(self._text, value) if value.kind != "angle" else None
+        if expressions.said(target).upper() == "M":
+            literal = expressions.text.constant(value) if value.kind != "angle" else None
             self.ends = self.ends or literal in _ENDS
             if literal is None:
                 self.codes.append(expressions.value(value))

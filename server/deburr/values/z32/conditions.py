@@ -17,6 +17,7 @@ from deburr.values.z32.expressions import put
 
 if TYPE_CHECKING:
     from deburr.values.z32.expressions import Expressions, Get
+    from deburr.values.z32.text import Text
     from deburr_grammar.tree import Node
 
 _OPPOSITE = {"<": ">=", ">=": "<", ">": "<=", "<=": ">", "=": "<>", "<>": "="}
@@ -27,10 +28,13 @@ _SMALL = 1e8
 _SAME = on.equal(0.5)
 
 
-def decision(text: str, comparison: Node, expressions: Expressions) -> Callable[[Env], tuple[Env | None, Env | None]]:
-    """Compile a comparison: what finds the values under which it holds, and those under which it does not. None: it never does."""
+Decide = Callable[[Env], tuple[Env | None, Env | None]]
+
+
+def decision(comparison: Node, expressions: Expressions) -> Callable[[Text], Decide]:
+    """Compile a comparison for each line of a shape: what finds the values under which it holds, and those under which it does not. None: it never does."""
     left, *signs, right = comparison.children
-    relation = "".join(text[sign.start : sign.end] for sign in signs).lower().replace("&lt", "<").replace("&gt", ">")
+    relation = "".join(map(expressions.said, signs)).lower().replace("&lt", "<").replace("&gt", ">")
     one, two = expressions.value(left), expressions.value(right)
     sides: list[tuple[str, Get, Get, str]] = [
         (key, get, other, said)
@@ -49,13 +53,16 @@ def decision(text: str, comparison: Node, expressions: Expressions) -> Callable[
             None if known is True else learned(env, _learned(sides, env, False)),
         )
 
-    remembered = Remembered(expressions, found)
+    def bound(text: Text) -> Decide:
+        remembered = Remembered(expressions, expressions.of(text, found))
 
-    def decided(env: Env) -> tuple[Env | None, Env | None]:
-        held, failed = remembered.of(env)
-        return None if held is None else held.on(env), None if failed is None else failed.on(env)
+        def decided(env: Env) -> tuple[Env | None, Env | None]:
+            held, failed = remembered.of(env)
+            return None if held is None else held.on(env), None if failed is None else failed.on(env)
 
-    return decided
+        return decided
+
+    return bound
 
 
 def _learned(sides: Sequence[tuple[str, Get, Get, str]], env: Env, holds: bool) -> Env | None:

@@ -6,18 +6,20 @@ import math
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeVar
 
 from deburr.arithmetic import Refusal
-from deburr.arithmetic.z32 import NEAR_INTEGER, constant, function, integer, nearest, operation, shown
+from deburr.arithmetic.z32 import NEAR_INTEGER, function, integer, nearest, operation, shown
 from deburr.values import operations as on
 from deburr.values.domain import ANY, UNITS, Value, exactly, joined
 from deburr.values.graph import Env, Proof
 from deburr.values.remembered import Changes, Remembered, stored
 from deburr.values.z32.lines import is_system
+from deburr.values.z32.text import Text
 from deburr_grammar.dialects.z32.forms import number
-from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
+T = TypeVar("T")
 Get = Callable[[Env], Value]
 Put = Callable[[Env, Value], Env]
 LAST, MACHINE = 512, 256
@@ -70,10 +72,13 @@ class Stored:
 
 
 class Expressions:
-    """Compiles the values of one part of a line. ``used`` and ``sets``: the parameters that it reads and sets; None among them: who knows which."""
+    """Compiles the values of one part of the lines of a shape. ``used`` and ``sets``: the parameters that it reads and sets; None among them: who knows which.
 
-    def __init__(self, text: str, world: World) -> None:
-        self._text = text
+    ``text``: of the line that is calculated now. Whoever calculates says which it is, because all lines of a shape may share what is compiled.
+    """
+
+    def __init__(self, text: Text, world: World) -> None:
+        self.text = text
         self._world = world
         self._reads = 0
         """How many places read something."""
@@ -88,8 +93,8 @@ class Expressions:
         self.remarks: list[Proof] = []
         """What is certain and does not stop the control, since it was last emptied."""
 
-    def in_turn(self, steps: Sequence[Callable[[Env], Env]]) -> Callable[[Env], Env]:
-        """All of some steps, which are all that stands in this part of the line."""
+    def in_turn(self, steps: Sequence[Callable[[Env], Env]]) -> Callable[[Text], Callable[[Env], Env]]:
+        """All of some steps, which are all that stands in this part of the line, for each line of the shape."""
 
         def taken(env: Env) -> Env:
             for step in steps:
@@ -97,14 +102,27 @@ class Expressions:
             return env
 
         if not self.is_narrow:
-            return taken
+            return lambda text: self.of(text, taken)
         if not steps:
-            return _unchanged
+            return lambda text: _unchanged
         keys = tuple(self.sets)
         only = steps[0] if len(steps) == 1 else None
         find = only.changes if isinstance(only, Stored) else lambda env: stored(taken(env), keys)
-        remembered = Remembered(self, find)
-        return lambda env: remembered.of(env).on(env)
+
+        def bound(text: Text) -> Callable[[Env], Env]:
+            remembered = Remembered(self, self.of(text, find))
+            return lambda env: remembered.of(env).on(env)
+
+        return bound
+
+    def of(self, text: Text, find: Callable[[Env], T]) -> Callable[[Env], T]:
+        """The same, calculated with the numbers of one line."""
+
+        def found(env: Env) -> T:
+            self.text = text
+            return find(env)
+
+        return found
 
     def is_doubtful(self) -> bool:
         """Whether something may have failed when this was last calculated."""
@@ -123,7 +141,7 @@ class Expressions:
                 return self.value(part.children[1])
             case "signed" | "unary":
                 inner = self.value(part.children[1])
-                return inner if self._text[part.start] == "+" else lambda env: on.negative(inner(env))
+                return inner if self.said(part).startswith("+") else lambda env: on.negative(inner(env))
             case "sum" | "product":
                 return self._chain(part)
             case "function":
@@ -153,7 +171,7 @@ class Expressions:
         store, key = self.target(target), self.key(target)
         reads = self._reads
         get = self.value(part)
-        if key is not None and self._reads == reads and isinstance(constant(self._text, part), float):
+        if key is not None and self._reads == reads and self.text.constant(part) is not None:
             self.literals.add(key)
         if not isinstance(target, Node) or target.kind != "vector" or not self._is_pal(target):
             return Stored(key, get) if key is not None else lambda env: store(env, get(env))
@@ -203,25 +221,24 @@ class Expressions:
 
     def said(self, part: Node | Token) -> str:
         """The text of a part."""
-        return self._text[part.start : part.end]
+        return self.text.said(part)
 
     def proof(self, kind: str, part: Node | Token, message: str) -> Proof:
         """What is certain to go wrong at a part of this line."""
-        return Proof(kind, Span(part.start, part.end), message)
+        return Proof(kind, self.text.span(part), message)
 
     def _token(self, part: Token) -> Get:
         if part.kind == "NAME":
             return self.read(self.said(part).upper())
         if part.kind not in ("NUMBER", "PI"):
             raise Unread
-        literal = exactly(math.pi if part.kind == "PI" else number(self.said(part)))
-        if literal.empty:
+        if self.text.literal(part).empty:
             raise Unread
-        return lambda env: literal
+        return lambda env: self.text.literal(part)
 
     def _chain(self, part: Node) -> Get:
         """Terms or factors from left to right."""
-        signs = [self._text[sign.start] for sign in part.children[1::2]]
+        signs = [self.said(sign) for sign in part.children[1::2]]
         first, *others = [self.value(child) for child in part.children[::2]]
         operations = [_OPERATIONS[sign] for sign in signs]
         rest = list(zip(operations, [sign == "/" for sign in signs], others, part.children[2::2]))

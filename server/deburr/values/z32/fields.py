@@ -6,19 +6,20 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
-from deburr.arithmetic.z32 import constant, integer, shown, to_cartesian, to_polar
+from deburr.arithmetic.z32 import integer, shown, to_cartesian, to_polar
 from deburr.finding import Severity
 from deburr.values import operations as on
 from deburr.values.domain import Value, between, exactly
 from deburr.values.graph import Calls, Dead, Env, Flows
 from deburr.values.z32.conditions import decision
 from deburr.values.z32.expressions import Expressions, Unread, put
-from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
 if TYPE_CHECKING:
     from deburr.values.z32.flow import Builder, Site
     from deburr.values.z32.lines import Taken
+    from deburr.values.z32.made import Bind
+    from deburr_grammar.text import Span
 
 T = TypeVar("T")
 _PLAIN = frozenset(("NUMBER", "NAME", "other", "vector", "unary"))
@@ -34,8 +35,8 @@ class Fields:
         self._builder = builder
         self._at = at
         self._line = line
-        self._text = line.node.text
         self._made = builder.made(at)
+        self._text = self._made.text
         self._groups = self._made.groups
         self._behind = builder.behind(at)
         self._left = builder.leaving(at)
@@ -76,7 +77,7 @@ class Fields:
     def _expressions(self) -> Expressions:
         return Expressions(self._text, self._builder.world)
 
-    def _part(self, number: int, make: Callable[[Expressions], T]) -> tuple[Expressions, T]:
+    def _part(self, number: int, make: Callable[[Expressions], Bind[T]]) -> tuple[Expressions, T]:
         """What is made of a field, which is the same wherever a line says the same."""
         return self._made.part(number - self._builder.first(self._at), make)
 
@@ -100,7 +101,7 @@ class Fields:
     def _decide(self, field: Node, number: int, then: int | None, otherwise: int | None) -> None:
         comparison = field.children[1]
         assert isinstance(comparison, Node)
-        expressions, decide = self._part(number, lambda found: decision(self._text, comparison, found))
+        expressions, decide = self._part(number, lambda found: decision(comparison, found))
         self._conditions.append((number, field))
         places = self._place(then), self._place(otherwise)
 
@@ -111,7 +112,7 @@ class Fields:
                     flows += self._flows(learned, None) if to is None else ((to, learned),)
             return flows
 
-        span, ways = Span(comparison.start, comparison.end), self._ways(then, otherwise)
+        span, ways = self._text.span(comparison), self._ways(then, otherwise)
         dead = self._idle(field, span, then, otherwise) if expressions.used else ()
         self._builder.add(number, self._at, decided, expressions, ways, condition=span, dead=dead)
 
@@ -122,7 +123,9 @@ class Fields:
         fields = next(group for group in self._groups if field in group)
         jump = next((each for each in fields[fields.index(field) + 1 :] if each.kind == "jump"), None)
         rows = self._rows(jump) if jump is not None else ()
-        said = self._text[span.start : span.end]
+        comparison = field.children[1]
+        assert isinstance(comparison, Node)
+        said = self._text.said(comparison)
         if rows and jump is not None and jump.node("range_end") is None and rows[0] <= self._at:
             message = f"`{said}` never holds here, so that the loop makes one pass only"
             return (Dead(then, "loop-idle", span, message),)
@@ -133,8 +136,6 @@ class Fields:
             f"`{said}` always holds here",
             Severity.INFO,
         )
-        comparison = field.children[1]
-        assert isinstance(comparison, Node)
         plain = all(part.kind in _PLAIN for part in (comparison.children[0], comparison.children[-1]))
         message = f"`{said}` never holds here, so that what hangs on it is never run"
         never = Dead(then, "condition-constant", span, message)
@@ -144,8 +145,8 @@ class Fields:
     def _rows(self, jump: Node) -> Sequence[int]:
         """The lines to which a jump leads."""
         part = jump.children[1]
-        value = constant(self._text, part)
-        return self._builder.targets(self._at, value, part.kind == "angle") if isinstance(value, float) else ()
+        value = self._text.constant(part)
+        return self._builder.targets(self._at, value, part.kind == "angle") if value is not None else ()
 
     def _assign(self, field: Node, number: int, to: int | None) -> None:
         target, value = field.children[0], field.children[2]
@@ -161,7 +162,7 @@ class Fields:
 
     def _jump(self, field: Node, number: int, expressions: Expressions) -> None:
         part, builder = field.children[1], self._builder
-        value = constant(self._text, part)
+        value = self._text.constant(part)
         ranged, site = field.node("range_end") is not None, builder.site(self._at, field)
         if ranged and site is None:
             self._lost(number, expressions)
@@ -172,7 +173,7 @@ class Fields:
         def sent(env: Env, to: int) -> Flows:
             return ((to, builder.pushed(env, site)),) if site is not None else self._left(to, env)
 
-        if isinstance(value, float):
+        if value is not None:
             rows = builder.targets(self._at, value, part.kind == "angle")
             if len(rows) != 1:
                 self._lost(number, expressions)
@@ -182,7 +183,7 @@ class Fields:
             builder.add(number, self._at, lambda env, calls: sent(env, to), expressions, ways, dead=dead, sure=True)
             if rows[0] <= self._at and not ranged and self._conditions:
                 test, condition = self._conditions[-1]
-                builder.back(number, to, test, Span(condition.start, field.end))
+                builder.back(number, to, test, self._text.span(condition)._replace(end=self._text.span(field).end))
             return
         get = expressions.value(part)
 
@@ -207,9 +208,10 @@ class Fields:
         assert last is not None, "a site has a range"
         passing = Expressions(self._text, self._builder.world)
         self._builder.add(site.returns, self._at, lambda env, calls: ((behind, env),), passing, (behind,))
-        start, end = (self._text[part.start : part.end].lstrip("- \t") for part in (field.children[1], last))
+        start, end = (self._text.said(part).lstrip("- \t") for part in (field.children[1], last))
+        span = self._text.span(last)
         message = f"on every way from N{start} the program ends before it comes to {end}, so this jump never returns"
-        return (Dead(site.returns, "range-open-at-end", Span(last.start + 1, last.end), message, later=True),)
+        return (Dead(site.returns, "range-open-at-end", span._replace(start=span.start + 1), message, later=True),)
 
     def _lost(self, number: int, expressions: Expressions) -> None:
         """A jump to a block that is not there, or is there twice: the control stops, and other rules say so."""
@@ -222,9 +224,9 @@ class Fields:
 
     def _call(self, field: Node, number: int, expressions: Expressions) -> None:
         builder, part = self._builder, field.children[1]
-        name = builder.called[self._line.node.text, field.start]
+        name = builder.called[self._line.node.text, self._text.span(field).start]
         builder.callees.add(name)
-        known = field.kind == "file_call" or isinstance(constant(self._text, part), float)
+        known = field.kind == "file_call" or self._text.constant(part) is not None
         number_of = None if known else expressions.value(part)
 
         def called(env: Env, calls: Calls) -> Flows:
@@ -257,7 +259,7 @@ class Fields:
     def _polar(self, field: Node, number: int, expressions: Expressions, to: int | None) -> None:
         """CP and PC calculate with HX, HY, HR and HT."""
         part = field.children[0]
-        turns = self._text[part.start].upper() == "C"
+        turns = self._text.said(part).upper() == "CP"
         read, set_ = (("HX", "HY"), ("HR", "HT")) if turns else (("HR", "HT"), ("HX", "HY"))
         one, two = (expressions.read(name) for name in read)
         expressions.sets |= set(set_)

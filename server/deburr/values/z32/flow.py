@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Generator, Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from deburr.arithmetic.z32 import NEAR_INTEGER, constant
+from deburr.arithmetic.z32 import NEAR_INTEGER
 from deburr.steps import FEW, paced
 from deburr.values.domain import ANY, UNSET, exactly
 from deburr.values.graph import RETURN, Calls, Dead, Env, Flows, Graph, Head, Loop, Node, Proof, silent
@@ -278,18 +278,18 @@ class Builder:
             if line.label is not None:
                 self._labels.setdefault(line.label, []).append(at)
         self._sorted = sorted(self._labels)
-        for at, line in enumerate(self.lines):
+        for at in range(len(self.lines)):
             for number, jump in enumerate(self._made[at].ranges, self._first[at] + self._made[at].fields):
-                self._place_range(at, line, jump, number)
+                self._place_range(at, jump, number)
         if any(at in self._ends for at, _ in self._sites):
             raise Torn
 
-    def _place_range(self, at: int, line: Taken, jump: Part, returns: int) -> None:
+    def _place_range(self, at: int, jump: Part, returns: int) -> None:
         last = jump.node("range_end")
         assert last is not None, "only ranges are placed"
         part = last.children[1]
-        value = constant(line.node.text, part)
-        if not isinstance(value, float):
+        value = self._made[at].text.constant(part)
+        if value is None:
             raise Torn
         ends = self.targets(at, value, part.kind == "angle")
         if len(ends) == 1:
@@ -317,7 +317,7 @@ class Builder:
 
     def _unread(self, at: int, line: Taken) -> None:
         """A line that cannot be read: the control stops there, or whoever mends it may set anything."""
-        expressions = Expressions(line.node.text, self.world)
+        expressions = Expressions(self._made[at].text, self.world)
         expressions.used.add(None)
         expressions.sets.add(None)
         left, behind = self.leaving(at), self.behind(at)
