@@ -15,7 +15,7 @@ from typing import NamedTuple
 from deburr_grammar.chunk import Branch, Chunk
 from deburr_grammar.dialect import Bracket, Dialect, Reading, Step
 from deburr_grammar.line import LineNode, Shape
-from deburr_grammar.structure import EVEN, NOTHING, Balance, Reduction, balance, reduction
+from deburr_grammar.structure import EVEN, Balance, Reduction, balance, in_a_row, reduction
 from deburr_grammar.text import with_newlines
 
 _KEPT = 64
@@ -120,12 +120,12 @@ class Outliner:
 
     def _sum(self, node: Branch, before: Before) -> Summed:
         state, total, running = before.state, EVEN, before.balance
-        left, lines = NOTHING, 0
+        parts: list[Reduction] = []
         for child in node.children:
             found = self._found(child, Before(state, running))
-            left, lines = left.then(found.left.moved(lines)), lines + child.eols
+            parts.append(found.left)
             state, total, running = found.state, total.then(found.balance), running.then(found.balance)
-        return Summed(total, state, left)
+        return Summed(total, state, in_a_row(parts, tuple(child.eols for child in node.children)))
 
     def steps(self, chunk: Chunk, before: Before) -> Iterator[Stepped]:
         """The marked lines of a chunk, in order."""
@@ -144,19 +144,24 @@ class Outliner:
         outline = self.dialect.outline
         runs, state = [(0, outline.reading(before.state))], before.state
         found: list[tuple[int, Bracket]] = []
-        steps = tuple(self._steps(chunk, before))
+        known = self._former(chunk, before)
+        steps = tuple(self._steps(chunk, before, known))
         for index, step in zip(chunk.marked, steps):
             state = step.state
             _run(runs, index, step.reading)
             found += [(index, bracket) for bracket in step.brackets]
             _run(runs, index + 1, outline.reading(state))
-        left = reduction(found)
+        # As the same object, what is made of it is found again.
+        left = known.left if known is not None and known.brackets == tuple(found) else reduction(found)
         return Outlined(tuple(runs), tuple(found), left.balance, state, left, steps)
 
-    def _steps(self, chunk: Chunk, before: Before) -> Iterator[Step]:
+    def _former(self, chunk: Chunk, before: Before) -> Outlined | None:
+        """What a chunk was before an edit, read under the same state."""
+        return None if chunk.former is None else chunk.former.memo.get(self.key(chunk, before))
+
+    def _steps(self, chunk: Chunk, before: Before, known: Outlined | None) -> Iterator[Step]:
         """What the marked lines of a chunk do. Where an edit left a line and the state before it as they were, it does what it did."""
         former, chunk.former = chunk.former, None
-        known: Outlined | None = None if former is None else former.memo.get(self.key(chunk, before))
         if former is None or known is None or chunk.needs_depth:
             yield from (stepped.step for stepped in self.steps(chunk, before))
             return

@@ -5,13 +5,14 @@ finding a level. A region boundary (a subprogram, a section) cuts: no block reac
 """
 
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from enum import Enum
-from typing import NamedTuple
+from typing import Generic, NamedTuple, TypeVar
 
 from deburr_grammar.dialect import Bracket, Role
 from deburr_grammar.text import Span
 
+Made = TypeVar("Made")
 CUTS = (Role.REGION, Role.END_REGION)
 
 
@@ -160,6 +161,56 @@ class Reduction(NamedTuple):
         found += [StructureFault(Fault.UNCLOSED, opener) for opener in self.openers]
         found += _boundaries(None, self.first) + _boundaries(self.last, None)
         return tuple(sorted(explained(sorted(found, key=_order)), key=_order))
+
+
+_LATELY = 32
+"""So many answers are kept of what was asked last. A key changes those of one path through the program, mostly to the same."""
+
+
+class _Lately(Generic[Made]):
+    """What was made of some objects lately, to be found again as the same object when it is asked of the same ones."""
+
+    def __init__(self, make: Callable[..., Made]) -> None:
+        self._make = make
+        self._known: dict[Hashable, tuple[tuple[object, ...], Made]] = {}
+        """With what each was made of: as long as it is kept, no other object can be in the place of that."""
+
+    def of(self, parts: Sequence[Reduction], *more: Hashable) -> Made:
+        """What is made of reductions, and of what else it hangs on."""
+        key = (*map(id, parts), more)
+        found = self._known.pop(key, None)
+        if found is None:
+            found = ((*parts,), self._make(parts, *more))
+            if len(self._known) >= _LATELY:
+                del self._known[next(iter(self._known))]
+        self._known[key] = found
+        return found[1]
+
+
+def _in_a_row(parts: Sequence[Reduction], lines: Sequence[int]) -> Reduction:
+    left, before = NOTHING, 0
+    for part, count in zip(parts, lines):
+        left, before = left.then(part.moved(before)), before + count
+    return left
+
+
+def in_a_row(parts: Sequence[Reduction], lines: tuple[int, ...]) -> Reduction:
+    """Stretches of so many lines, one behind the other, as one: the object that it was, if they are."""
+    return _rows.of(parts, lines) if any(part is not NOTHING for part in parts) else NOTHING
+
+
+def _faults(parts: Sequence[Reduction], file_ends_region: bool) -> tuple[StructureFault, ...]:
+    found = parts[0].all_faults()
+    return tuple(each for each in found if each.fault is not Fault.REGION_UNCLOSED) if file_ends_region else found
+
+
+def faults_of(whole: Reduction, file_ends_region: bool) -> tuple[StructureFault, ...]:
+    """The faults of a whole program: the object that they were, if its reduction is."""
+    return _known_faults.of((whole,), file_ends_region)
+
+
+_rows = _Lately(_in_a_row)
+_known_faults = _Lately(_faults)
 
 
 def _order(fault: StructureFault) -> tuple[int, Span]:

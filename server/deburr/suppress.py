@@ -30,6 +30,7 @@ _OTHERS = frozenset(("ignore", "disable", "noqa", "suppress", "silence", "skip",
 """What other tools call it."""
 
 
+_ANY, _NONE = frozenset((True,)), frozenset[bool]()
 _MOST = 100
 """Names in one comment; what follows them is not looked at, so the findings that it means are shown."""
 
@@ -91,6 +92,11 @@ def allowing(document: Document, findings: Sequence[Finding], ruleset: RuleSet) 
 def mentions(text: str) -> bool:
     """Whether a text may hold such a comment."""
     return _SIGN in text
+
+
+def allows_anything(document: Document) -> bool:
+    """Whether a program may hold such a comment: it costs what an edit touched."""
+    return bool(document.gathered("allowing", lambda piece: _ANY if mentions(piece.chunk.text) else _NONE))
 
 
 def is_allowed(document: Document, finding: Finding) -> bool:

@@ -12,7 +12,8 @@ from deburr.finding import Finding, Place, Related
 from deburr.ide.held import Held
 from deburr.rule import Long, Modal, Nodes, Syntax, Text
 from deburr.ruleset import RuleSet
-from deburr.suppress import is_allowed
+from deburr.suppress import allows_anything, is_allowed
+from deburr_grammar.structure import StructureFault
 from deburr_grammar.text import Edit, split_lines
 
 _BY_LINE = Syntax | Nodes | Modal | Text | Long
@@ -55,11 +56,29 @@ def found_anew(edits: Sequence[Edit], analysis: Analysis) -> list[Finding]:
     return [finding for line in there for finding in analysis.line_findings(line)]
 
 
-def structural(analysis: Analysis) -> list[Finding]:
-    """What the structure of the blocks decides."""
+class Structure(NamedTuple):
+    """What findings of block structure hang on: its faults, the rules, and whether a comment may allow any."""
+
+    faults: tuple[StructureFault, ...] = ()
+    ruleset: RuleSet | None = None
+    allowing: bool = True
+
+    def stays(self, other: Structure) -> bool:
+        """Whether the findings of one are those of the other. No fault is looked at: those of a program that only says something else are the same object."""
+        same = self.faults is other.faults and self.ruleset is other.ruleset
+        return same and not self.allowing and not other.allowing
+
+
+def structure_of(analysis: Analysis) -> Structure:
+    """What the findings of its blocks hang on."""
     faults = analysis.document.faults if analysis.ruleset.on_structure else ()
-    found = (finding for fault in faults for finding in analysis.fault_findings(fault))
-    return [finding for finding in found if not is_allowed(analysis.document, finding)]
+    return Structure(faults, analysis.ruleset, allows_anything(analysis.document))
+
+
+def structural(analysis: Analysis, structure: Structure) -> list[Finding]:
+    """What the structure of the blocks decides."""
+    found = [finding for fault in structure.faults for finding in analysis.fault_findings(fault)]
+    return [each for each in found if not is_allowed(analysis.document, each)] if structure.allowing else found
 
 
 def touched_lines(changes: Iterable[Change]) -> list[int]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from deburr.finding import joined
 from deburr.ide.held import Held
+from deburr.ide.moved import Structure, structure_of
 from deburr.steps import paced
 
 if TYPE_CHECKING:
@@ -29,6 +30,8 @@ class Checked:
     still: Held = field(default_factory=Held)
     blocks: tuple[Finding, ...] = ()
     ran: Held = field(default_factory=Held)
+    structure: Structure = field(default_factory=Structure)
+    """What `blocks` hang on."""
     elsewhere: dict[str, tuple[Finding, ...]] = field(default_factory=dict)
     whole: bool = False
     needs: Needs | None = None
@@ -52,6 +55,7 @@ def learning(
             parts[finding.rule in blocks].append(finding)
     still = yield from Held.holding(parts[False])
     known.still, known.blocks, known.ran = still, tuple(parts[True]), ran
+    known.structure = structure_of(analysis)
     known.elsewhere = {file: tuple(each) for file, each in elsewhere.items()}
 
 

@@ -14,7 +14,7 @@ from deburr.analysis import Analysis
 from deburr.finding import Severity, joined
 from deburr.host import NoFiles
 from deburr.ide.held import Held
-from deburr.ide.moved import found_anew, moved, structural
+from deburr.ide.moved import Structure, found_anew, moved, structural, structure_of
 from deburr.lsp.checked import Checked, learning, once, order, release
 from deburr.needs import Needs
 from deburr.steps import let_go, paced
@@ -112,7 +112,10 @@ class Checks:
             with Analysis(view.document, view.ruleset, view.file, view.host) as analysis:
                 known.still = moved(known.still, edits, analysis).also(found_anew(edits, analysis))
                 known.ran = moved(known.ran, edits, analysis)
-                known.blocks = tuple(once(structural(analysis)))
+                structure = structure_of(analysis)
+                if not structure.stays(known.structure):
+                    known.blocks = tuple(once(structural(analysis, structure)))
+                known.structure = structure
             self._say(program.file)
         self._leave(program.file)
         release(known, Outdated())
@@ -176,6 +179,7 @@ class Checks:
         if view is None:
             before = set(known.elsewhere)
             known.still, known.blocks, known.ran, known.elsewhere = Held(), (), Held(), {}
+            known.structure = Structure()
             self._finish(known, file, None, before)
             return
         self._idle.start(file, self._work(file, view, known), urgent=urgent)
