@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from deburr_grammar.line import Shape
 
 T = TypeVar("T")
-LINES = 4_000
+LINES = 1_000
 """Lines of all that is kept in one place: a graph and its values take some hundred bytes to some kilobytes for each of them."""
 
 

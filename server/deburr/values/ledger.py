@@ -65,6 +65,7 @@ _latest: Kept[Solution] = Kept()
 def fit(nodes: int) -> None:
     """Make room for a program of so many nodes."""
     _kept.fit(nodes * _VERSIONS // 2)
+    _latest.fit(nodes)
 
 
 def gone_through(
