@@ -184,6 +184,14 @@ def test_the_first_answer_waits_for_no_large_import() -> None:
     assert done.stdout == "[]\n"
 
 
+def test_the_first_hover_waits_for_nothing_that_only_toolpaths_and_runs_need() -> None:
+    code = "import sys; from deburr.lsp.server import found_features; found_features(); print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = done.stdout.split()
+    assert "deburr.lsp.features.hover" in loaded
+    assert not [each for each in loaded if each.startswith(("deburr.motion", "deburr.plot", "deburr.expand.rs274"))]
+
+
 def test_what_came_in_one_write_is_answered_in_order(client: Client) -> None:
     uri = (client.folder / "a.ngc").as_uri()
     item = {"uri": uri, "languageId": "rs274", "version": 1, "text": FAULTY}

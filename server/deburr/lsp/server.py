@@ -7,7 +7,7 @@ import logging
 import sys
 import traceback
 from collections.abc import Callable
-from functools import partial
+from functools import cached_property, partial
 from importlib import import_module
 from inspect import iscoroutinefunction
 from pkgutil import iter_modules
@@ -26,7 +26,6 @@ from deburr.lsp.alive import watch
 from deburr.lsp.checks import Checks
 from deburr.lsp.garbage import Garbage
 from deburr.lsp.idle import Idle
-from deburr.lsp.plots import Plots
 from deburr.lsp.previews import Previews
 from deburr.lsp.protocol import Protocol
 from deburr.lsp.publish import Publisher
@@ -40,6 +39,7 @@ if TYPE_CHECKING:
     from deburr.ide.view import View
     from deburr.lsp.client import Client
     from deburr.lsp.convert import Units
+    from deburr.lsp.plots import Plots
     from deburr.lsp.report import Json
     from deburr.lsp.start import Met
     from deburr.lsp.stream import Frames, Stream
@@ -88,7 +88,6 @@ class Server(LanguageServer):
         self.checks.done = self.garbage.checked
         self.checks.depended = self.publisher.refresh
         self.previews = Previews(self)
-        self.plots = Plots(self)
         self.checks.changed = self.previews.changed
         self.protocol.trace = trace_of(client.trace)
         self.coloured: dict[str, list[int]] = {}
@@ -100,6 +99,13 @@ class Server(LanguageServer):
         """Take one message that was counted when it came."""
         self._taken += 1
         self.receive(body)
+
+    @cached_property
+    def plots(self) -> Plots:
+        """The toolpaths; most sessions have none, and loading what follows them takes as long as a hundred hovers."""
+        from deburr.lsp.plots import Plots
+
+        return Plots(self)
 
     def receive(self, body: bytes) -> None:
         """Take one message; whatever goes wrong with it, the next one is taken as well."""

@@ -14,7 +14,6 @@ from deburr.detect import detect
 from deburr.expand import interpreter
 from deburr.lsp.capabilities import COMMANDS, EXPANDED, PAGES
 from deburr.lsp.convert import uri_to_file
-from deburr.lsp.plotting import plot
 from deburr.lsp.previews import Wanted, expanded_uri, wanted_by, wanted_of
 from deburr.lsp.report import Json, diagnostics
 from deburr.lsp.server import Server, feature
@@ -42,6 +41,8 @@ async def on_command(server: Server, params: types.ExecuteCommandParams) -> Any:
     if params.command == "deburr.sourceMap":
         return await _looked_up(server, said)
     if params.command == "deburr.plot":
+        from deburr.lsp.plotting import plot
+
         return await plot(server, said, params.work_done_token)
     return await _expanded(server, said, params.work_done_token)
 
