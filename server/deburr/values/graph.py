@@ -209,4 +209,5 @@ def joined_all(envs: Iterable[Env]) -> Env | None:
 def unset(keys: Iterable[Key], certain: bool) -> Env:
     """Variables at the start: certainly without a value, or with any or none."""
     value = UNSET if certain else ANY._replace(unset=True)
-    return dict.fromkeys(keys, value)
+    # Sets of names have another order in each process: what is said in the order of values must not.
+    return dict.fromkeys(sorted(keys, key=str), value)

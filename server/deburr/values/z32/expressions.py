@@ -105,7 +105,7 @@ class Expressions:
             return lambda text: self.of(text, taken)
         if not steps:
             return lambda text: _unchanged
-        keys = tuple(self.sets)
+        keys = tuple(sorted(self.sets, key=str))
         only = steps[0] if len(steps) == 1 else None
         find = only.changes if isinstance(only, Stored) else lambda env: stored(taken(env), keys)
 
