@@ -8,7 +8,7 @@ the columns at which the folded stretches end.
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -77,18 +77,20 @@ class Folding:
                     growths.append(grown)
         return Columns(ends, growths)
 
-    def _stretches(self, line: str, match: re.Match[str]) -> Iterator[tuple[int, int, int]]:
+    def _stretches(self, line: str, match: re.Match[str]) -> Iterable[tuple[int, int, int]]:
         """What is folded of a match: from where, up to where, and how many characters are left of it."""
         if match["digits_"]:
-            yield *match.span(), 1
-        elif match["inert_"]:
-            kept = [match.span(group) for group in range(2, 2 + self._inert.groups) if match[group]]
-            for number, (start, end) in enumerate(kept):
-                # What is kept of a comment is folded like all other text.
-                found = self._protected_or_digits.finditer(line, start, end)
-                yield from ((*each.span(), 1) for each in found if not each[1])
-                if not number:
-                    yield end, match.end() - sum(b - a for a, b in kept[1:]), 0
+            return ((match.start(), match.end(), 1),)
+        return self._of_comment(line, match) if match["inert_"] else ()
+
+    def _of_comment(self, line: str, match: re.Match[str]) -> Iterator[tuple[int, int, int]]:
+        kept = [match.span(group) for group in range(2, 2 + self._inert.groups) if match[group]]
+        for number, (start, end) in enumerate(kept):
+            # What is kept of a comment is folded like all other text.
+            found = self._protected_or_digits.finditer(line, start, end)
+            yield from ((*each.span(), 1) for each in found if not each[1])
+            if not number:
+                yield end, match.end() - sum(b - a for a, b in kept[1:]), 0
 
     @cached_property
     def _inert(self) -> re.Pattern[str]:

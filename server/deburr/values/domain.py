@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
+from collections.abc import Callable
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 UNITS = 1024
@@ -73,6 +74,10 @@ class Value(NamedTuple):
         return not self.step or (_on_grid(number) and (_units(number) - _base(self)) % self.step == 0)
 
 
+_NO_TEXTS = frozenset[str]()
+_value: Callable[[tuple[float, float, int, bool, bool, bool, frozenset[str]]], Value] = partial(tuple.__new__, Value)
+"""A value of its fields, made without the call of Python that its name costs."""
+
 ANY = Value(-math.inf, math.inf)
 """Any finite number."""
 WILD = Value(-math.inf, math.inf, wild=True)
@@ -87,7 +92,11 @@ EITHER = Value(0.0, 1.0, UNITS)
 
 def exactly(number: float) -> Value:
     """One number; of one that is not finite nothing is known but that."""
-    return Value(number, number) if math.isfinite(number) else NOTHING._replace(wild=True)
+    return (
+        _value((number, number, 0, False, False, False, _NO_TEXTS))
+        if math.isfinite(number)
+        else NOTHING._replace(wild=True)
+    )
 
 
 def any_of(texts: frozenset[str]) -> Value:
@@ -99,7 +108,8 @@ def between(low: float, high: float, step: int = 0, whole: bool = False) -> Valu
     """A range; a bound at infinity stands for results that are not finite, too. ``whole``: whether all are integers."""
     if math.isnan(low) or math.isnan(high):
         return WILD
-    return Value(low, high, _held(low, high, step, whole), False, math.isinf(low) or math.isinf(high))
+    is_wild = math.isinf(low) or math.isinf(high)
+    return _value((low, high, _held(low, high, step, whole), False, is_wild, False, _NO_TEXTS))
 
 
 def joined(one: Value, two: Value) -> Value:

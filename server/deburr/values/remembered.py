@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable
+from collections.abc import Callable, Hashable, Sequence
+from functools import partial
 from operator import itemgetter
 from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
@@ -40,6 +41,8 @@ class Changes(NamedTuple):
 
 
 UNCHANGED = Changes({})
+changes: Callable[[tuple[Env, tuple[Hashable, ...]]], Changes] = partial(tuple.__new__, Changes)
+"""Changes of their fields, made without the call of Python that their name costs."""
 
 
 def learned(before: Env, behind: Env | None) -> Changes | None:
@@ -47,12 +50,15 @@ def learned(before: Env, behind: Env | None) -> Changes | None:
     if behind is None or behind is before:
         return None if behind is None else UNCHANGED
     new = {key: value for key, value in behind.items() if before.get(key) is not value}
-    return Changes(new, tuple(key for key in before if key not in behind))
+    return changes((new, tuple([key for key in before if key not in behind])))
 
 
-def stored(behind: Env, keys: Iterable[Hashable]) -> Changes:
+def stored(behind: Env, keys: Sequence[Hashable]) -> Changes:
     """What a line that always sets the same variables has set."""
-    return Changes({key: behind[key] for key in keys if key in behind}, tuple(key for key in keys if key not in behind))
+    if not keys:
+        return UNCHANGED
+    new = {key: behind[key] for key in keys if key in behind}
+    return changes((new, () if len(new) == len(keys) else tuple([key for key in keys if key not in behind])))
 
 
 class _Told(NamedTuple):

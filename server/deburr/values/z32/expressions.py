@@ -13,7 +13,7 @@ from deburr.arithmetic.z32 import NEAR_INTEGER, function, integer, nearest, oper
 from deburr.values import operations as on
 from deburr.values.domain import ANY, UNITS, Value, exactly, joined
 from deburr.values.graph import Env, Proof
-from deburr.values.remembered import Changes, Remembered, stored
+from deburr.values.remembered import Changes, Remembered, changes, stored
 from deburr.values.z32.lines import is_system
 from deburr.values.z32.text import Text
 from deburr_grammar.dialects.z32.forms import number
@@ -68,7 +68,7 @@ class Stored:
     def changes(self, env: Env) -> Changes:
         """The same as what it changes."""
         value = self._get(env)
-        return Changes({self._key: value}) if value != ANY else Changes({}, (self._key,))
+        return changes(({self._key: value}, ()) if value != ANY else ({}, (self._key,)))
 
 
 class Expressions:
@@ -77,8 +77,11 @@ class Expressions:
     ``text``: of the line that is calculated now. Whoever calculates says which it is, because all lines of a shape may share what is compiled.
     """
 
+    __slots__ = ("_reads", "_touched", "_world", "doubtful", "is_narrow", "literals", "remarks", "sets", "text", "used")
+
     def __init__(self, text: Text, world: World) -> None:
         self.text = text
+        self._touched: tuple[frozenset[Hashable], frozenset[Hashable]] | None = None
         self._world = world
         self._reads = 0
         """How many places read something."""
@@ -92,6 +95,12 @@ class Expressions:
         """Whether something may have failed since it was last set to False."""
         self.remarks: list[Proof] = []
         """What is certain and does not stop the control, since it was last emptied."""
+
+    def touched(self) -> tuple[frozenset[Hashable], frozenset[Hashable]]:
+        """All that it reads and all that it sets, when everything is compiled."""
+        if self._touched is None:
+            self._touched = frozenset(self.used), frozenset(self.sets)
+        return self._touched
 
     def in_turn(self, steps: Sequence[Callable[[Env], Env]]) -> Callable[[Text], Callable[[Env], Env]]:
         """All of some steps, which are all that stands in this part of the line, for each line of the shape."""
@@ -234,7 +243,13 @@ class Expressions:
             raise Unread
         if self.text.literal(part).empty:
             raise Unread
-        return lambda env: self.text.literal(part)
+        start = part.start
+
+        def literal(env: Env) -> Value:
+            text = self.text
+            return text.literals.get(start) or text.literal(part)
+
+        return literal
 
     def _chain(self, part: Node) -> Get:
         """Terms or factors from left to right."""

@@ -13,13 +13,13 @@ from deburr.values.domain import Value, between, exactly
 from deburr.values.graph import Calls, Dead, Env, Flows
 from deburr.values.z32.conditions import decision
 from deburr.values.z32.expressions import Expressions, Unread, put
+from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
 if TYPE_CHECKING:
     from deburr.values.z32.flow import Builder, Site
     from deburr.values.z32.lines import Taken
     from deburr.values.z32.made import Bind
-    from deburr_grammar.text import Span
 
 T = TypeVar("T")
 _PLAIN = frozenset(("NUMBER", "NAME", "other", "vector", "unary"))
@@ -183,7 +183,7 @@ class Fields:
             builder.add(number, self._at, lambda env, calls: sent(env, to), expressions, ways, dead=dead, sure=True)
             if rows[0] <= self._at and not ranged and self._conditions:
                 test, condition = self._conditions[-1]
-                builder.back(number, to, test, self._text.span(condition)._replace(end=self._text.span(field).end))
+                builder.back(number, to, test, Span(self._text.span(condition).start, self._text.span(field).end))
             return
         get = expressions.value(part)
 
@@ -211,7 +211,7 @@ class Fields:
         start, end = (self._text.said(part).lstrip("- \t") for part in (field.children[1], last))
         span = self._text.span(last)
         message = f"on every way from N{start} the program ends before it comes to {end}, so this jump never returns"
-        return (Dead(site.returns, "range-open-at-end", span._replace(start=span.start + 1), message, later=True),)
+        return (Dead(site.returns, "range-open-at-end", Span(span.start + 1, span.end), message, later=True),)
 
     def _lost(self, number: int, expressions: Expressions) -> None:
         """A jump to a block that is not there, or is there twice: the control stops, and other rules say so."""

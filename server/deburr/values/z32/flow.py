@@ -32,9 +32,6 @@ _MOST = 100_000
 """Ways of computed jumps; a program with more is not looked at."""
 
 
-_NO_KEYS = frozenset[Hashable]()
-
-
 class Torn(Exception):
     """Inside this package: nothing can be said of the program, because its flow hangs on what nobody can see."""
 
@@ -188,27 +185,24 @@ class Builder:
         change: Callable[[Env], Env] | None = None,
     ) -> None:
         """Take a node in. ``ways``: all nodes that may come next. ``sure``: nothing can go wrong in it. ``change``: as of a `Node`."""
-        part, remarks = number - self._first[at], expressions.remarks
+        part = number - self._first[at]
         if part == 0 and "DELETE" in self.lines[at].node.kinds and self.delete is not False:
             flow, ways, dead = self._optional(at, flow, expressions), {*ways, *self.exits(at, [self.behind(at)])}, ()
             sure, change = False, None
 
-        def flowing(env: Env, calls: Calls) -> Flows:
-            expressions.doubtful = False
-            remarks.clear()
-            return flow(env, calls)
-
-        used, sets = _frozen(expressions.used), _frozen(expressions.sets)
+        used, sets = expressions.touched()
         self._used |= used
         for key in sets:
             self._sets[key] += 1
             if key in expressions.literals:
                 self._literals[key] += 1
         self._ways[number] = ways if isinstance(ways, set) else set(ways)
+        # What changes values only says of itself whether it is doubtful, and has no remarks.
+        flowing = flow if sure or change is not None else _flowing(flow, expressions)
         doubtful = bool if sure else expressions.is_doubtful
         remark = silent if sure or change is not None else expressions.remark
         self._nodes[number] = Node(
-            at, flow if sure else flowing, used, sets, condition, doubtful, callee, calls, remark, dead, part, change
+            at, flowing, used, sets, condition, doubtful, callee, calls, remark, dead, part, change
         )
 
     def add_change(
@@ -356,8 +350,13 @@ class Builder:
         return Head(last, lambda key: anything or key in sets or not isinstance(key, str))
 
 
-def _frozen(keys: set[Hashable]) -> frozenset[Hashable]:
-    return frozenset(keys) if keys else _NO_KEYS
+def _flowing(flow: Callable[[Env, Calls], Flows], expressions: Expressions) -> Callable[[Env, Calls], Flows]:
+    def flowing(env: Env, calls: Calls) -> Flows:
+        expressions.doubtful = False
+        expressions.remarks.clear()
+        return flow(env, calls)
+
+    return flowing
 
 
 def places(parts: Iterable[Part | Token]) -> Span:

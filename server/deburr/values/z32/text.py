@@ -18,11 +18,12 @@ if TYPE_CHECKING:
 class Text:
     """The text of one line. Parts are those of its shape's tree."""
 
-    __slots__ = ("_literals", "_node", "_to")
+    __slots__ = ("_node", "_to", "literals")
 
     def __init__(self, node: LineNode) -> None:
         self._node = node
-        self._literals: dict[int, Value] = {}
+        self.literals: dict[int, Value] = {}
+        """The numbers that were asked for, by the columns of the shape in which they start."""
         self._to: list[int] | None = None
 
     def said(self, part: Node | Token) -> str:
@@ -37,10 +38,8 @@ class Text:
 
     def literal(self, part: Token) -> Value:
         """The value of a number that is written out; `NOTHING` but wild if it is beyond the largest one."""
-        found = self._literals.get(part.start)
-        if found is None:
-            written = math.pi if part.kind == "PI" else number(self.said(part))
-            found = self._literals[part.start] = exactly(written)
+        written = math.pi if part.kind == "PI" else number(self.said(part))
+        found = self.literals[part.start] = exactly(written)
         return found
 
     def constant(self, part: Node | Token) -> float | None:
