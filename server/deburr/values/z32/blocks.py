@@ -6,7 +6,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from deburr.values.graph import RETURN, STOP, Calls, Env, Flows
-from deburr.values.z32.expressions import ALIAS, Expressions, Get, Unread, named, put
+from deburr.values.z32.expressions import ALIAS, Expressions, Get, Unread, named
+from deburr.values.z32.storing import put
 from deburr_grammar.tree import Node, Token
 
 if TYPE_CHECKING:

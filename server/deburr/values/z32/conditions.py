@@ -13,7 +13,7 @@ from deburr.values import operations as on
 from deburr.values.domain import NO, Value, above, apart, below
 from deburr.values.graph import Env
 from deburr.values.remembered import Changes, Remembered, learned
-from deburr.values.z32.expressions import put
+from deburr.values.z32.storing import put
 
 if TYPE_CHECKING:
     from deburr.values.z32.expressions import Expressions, Get

@@ -13,8 +13,9 @@ from deburr.arithmetic.z32 import NEAR_INTEGER, function, integer, nearest, oper
 from deburr.values import operations as on
 from deburr.values.domain import ANY, UNITS, Value, exactly, joined
 from deburr.values.graph import Env, Proof
-from deburr.values.remembered import Changes, Remembered, changes, stored
+from deburr.values.remembered import Remembered, stored
 from deburr.values.z32.lines import is_system
+from deburr.values.z32.storing import Stored, put
 from deburr.values.z32.text import Text
 from deburr_grammar.dialects.z32.forms import number
 from deburr_grammar.tree import Node, Token
@@ -50,25 +51,6 @@ class World:
     def of(tracked: frozenset[str], machine: tuple[tuple[int, float], ...]) -> World:
         """The world of these parameters and values."""
         return World(tracked, dict(machine))
-
-
-class Stored:
-    """What calculates a value and stores it in a parameter that the line alone tells."""
-
-    __slots__ = ("_get", "_key")
-
-    def __init__(self, key: str, get: Get) -> None:
-        self._key = key
-        self._get = get
-
-    def __call__(self, env: Env) -> Env:
-        """The values behind it."""
-        return put(env, self._key, self._get(env))
-
-    def changes(self, env: Env) -> Changes:
-        """The same as what it changes."""
-        value = self._get(env)
-        return changes(({self._key: value}, ()) if value != ANY else ({}, (self._key,)))
 
 
 class Expressions:
@@ -450,13 +432,6 @@ class Expressions:
 
 def _unchanged(env: Env) -> Env:
     return env
-
-
-def put(env: Env, name: str, value: Value) -> Env:
-    """The values with another one for a parameter."""
-    if value != ANY:
-        return {**env, name: value}
-    return {key: old for key, old in env.items() if key != name} if name in env else env
 
 
 def axes_of(env: Env) -> str:

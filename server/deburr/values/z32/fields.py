@@ -12,7 +12,8 @@ from deburr.values import operations as on
 from deburr.values.domain import Value, between, exactly
 from deburr.values.graph import Calls, Dead, Env, Flows
 from deburr.values.z32.conditions import decision
-from deburr.values.z32.expressions import Expressions, Unread, put
+from deburr.values.z32.expressions import Expressions, Unread
+from deburr.values.z32.storing import put
 from deburr_grammar.text import Span
 from deburr_grammar.tree import Node, Token
 
