@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+from collections import OrderedDict
 from weakref import ref
 
 import pytest
@@ -11,6 +12,8 @@ from benchmarks.macros import macros
 from deburr.analysis import Analysis
 from deburr.ruleset import RuleSet
 from deburr.values import proving
+from deburr.values.graph import Graph
+from deburr.values.kept import Kept
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.document import Document
 
@@ -22,7 +25,37 @@ def test_a_document_goes_with_its_analysis(name: str) -> None:
     analysis = Analysis(document, RuleSet(dialect), prove=proving)
     analysis.findings()
     gone = ref(document)
-    analysis.memo.clear()
+    analysis.let_go()
     del document, analysis
     gc.collect()
     assert gone() is None
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_graph_that_is_kept_no_longer_goes_without_a_look_for_garbage(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    dialect = by_name(name)
+    kept = [each for each in gc.get_objects() if isinstance(each, Kept)]
+    for each in kept:
+        monkeypatch.setattr(each, "_found", OrderedDict())
+        monkeypatch.setattr(each, "lines", 0)
+    with Analysis(Document.parse(macros(name, 400), dialect), RuleSet(dialect), prove=proving) as analysis:
+        analysis.findings()
+    del analysis
+    gc.collect()
+    several = graphs()
+    gc.disable()
+    try:
+        for each in kept:
+            each._found.clear()
+        left = graphs()
+        gc.collect()
+        assert graphs() == left < several
+    finally:
+        gc.enable()
+
+
+def graphs() -> int:
+    """How many there are, whether anybody has them or not."""
+    return sum(isinstance(each, Graph) for each in gc.get_objects())

@@ -193,10 +193,13 @@ class Builder:
             if word.type == "table" and (count := self._words.codes(word)) is not None
         ]
 
+        # The builder, which holds the nodes, is not in one of them: they go with the graph.
+        quiet = self._quiet
+
         def put(env: Env) -> Env:
             for name, check in checks:
                 check(env.get(name, ANY))
-            return shown(env, keys, self._quiet)
+            return shown(env, keys, quiet)
 
         used = [word.name for _, word in words if self._words.holds(word)]
         self._change(items[0].line, put, Span(items[0].start, items[-1].end), used, keys)

@@ -92,8 +92,10 @@ class Builder:
             yield
         everything = self._used | self._sets.keys()
         returns = frozenset[Hashable](("returns", end) for end in self._ends)
+        # What the nodes do may ask the builder: it does not hold them, so that they go with the graph.
+        nodes, self._nodes = self._nodes, {}
         return Graph(
-            self._nodes,
+            nodes,
             heads,
             tuple(loop for loop in self._backs if self._counts(loop)),
             returns,
