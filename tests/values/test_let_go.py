@@ -12,7 +12,7 @@ from benchmarks.macros import macros
 from deburr.analysis import Analysis
 from deburr.ruleset import RuleSet
 from deburr.values import proving
-from deburr.values.graph import Graph
+from deburr.values.graph import Node
 from deburr.values.kept import Kept
 from deburr_grammar.dialects import NAMES, by_name
 from deburr_grammar.document import Document
@@ -31,7 +31,8 @@ def test_a_document_goes_with_its_analysis(name: str) -> None:
     assert gone() is None
 
 
-@pytest.mark.parametrize("name", NAMES)
+# Nodes of MetaGCODE are kept by their lines, not with graphs.
+@pytest.mark.parametrize("name", sorted({*NAMES} - {"metagcode"}))
 def test_a_graph_that_is_kept_no_longer_goes_without_a_look_for_garbage(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -44,18 +45,18 @@ def test_a_graph_that_is_kept_no_longer_goes_without_a_look_for_garbage(
         analysis.findings()
     del analysis
     gc.collect()
-    several = graphs()
+    several = nodes()
     gc.disable()
     try:
         for each in kept:
             each._found.clear()
-        left = graphs()
+        left = nodes()
         gc.collect()
-        assert graphs() == left < several
+        assert nodes() == left < several
     finally:
         gc.enable()
 
 
-def graphs() -> int:
+def nodes() -> int:
     """How many there are, whether anybody has them or not."""
-    return sum(isinstance(each, Graph) for each in gc.get_objects())
+    return sum(isinstance(each, Node) for each in gc.get_objects())

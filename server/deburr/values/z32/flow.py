@@ -92,10 +92,8 @@ class Builder:
             yield
         everything = self._used | self._sets.keys()
         returns = frozenset[Hashable](("returns", end) for end in self._ends)
-        # What the nodes do may ask the builder: it does not hold them, so that they go with the graph.
-        nodes, self._nodes = self._nodes, {}
-        return Graph(
-            nodes,
+        graph = Graph(
+            self._nodes,
             heads,
             tuple(loop for loop in self._backs if self._counts(loop)),
             returns,
@@ -106,6 +104,9 @@ class Builder:
             frozenset(key for key in self._sets if self._is_constant(key)),
             hidden=returns,
         )
+        # What the nodes do may ask the builder: it does not hold them, so that they go with the graph.
+        self._nodes = {}
+        return graph
 
     def behind(self, at: int) -> int:
         """The first node of the next line, or where the program ends."""
