@@ -105,13 +105,6 @@ Good:
 Good:
 
     F100
-    G0 X10 Y0
-    G52 X10
-    G2 X10 I4
-
-Good:
-
-    F100
     G0 X0 Y0
     G2 X1 Y1 I0 J1
     G3 X2.001 Y1 R0.5

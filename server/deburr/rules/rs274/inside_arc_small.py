@@ -39,7 +39,8 @@ Good:
     G2 X24 I2
     G3 X40 I8
     G40
-    G3 X44 I2
+    G1 X50
+    G3 X54 I2
 """
 
 import re
