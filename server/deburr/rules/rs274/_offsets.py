@@ -155,7 +155,7 @@ class _Now:
     def stand_at(self, given: Mapping[int, float | None]) -> None:
         """G92: the place is what is written."""
         here, self.point = self.point, _with(self.point, given)
-        way = [_sum(a, _negative(b)) if axis in given else 0.0 for axis, (a, b) in enumerate(zip(here, self.point))]
+        way = [_difference(a, b) if axis in given else 0.0 for axis, (a, b) in enumerate(zip(here, self.point))]
         self._shift(_plus(self.offsets.shift, (way[0], way[1], way[2])))
 
     def shift_by(self, given: Mapping[int, float | None]) -> None:
@@ -213,7 +213,7 @@ class _Now:
             self._set(system, (None, None, z), turns[1])
         there = _plus(self.point, self._system(self._active))
         x, y, z = (
-            _sum(there[axis], _negative(given[axis])) if axis in given else each
+            _difference(there[axis], given[axis]) if axis in given else each
             for axis, each in enumerate(self.offsets.systems[system])
         )
         if turns != (0, 0) and {0, 1} & given.keys():
@@ -304,13 +304,14 @@ def _plus(one: Point, two: Point) -> Point:
 
 
 def _minus(one: Point, two: Point) -> Point:
-    """A way; none between what is the same, whatever it is."""
-    return _plus(one, tuple(map(_negative, two)))  # type: ignore[arg-type]
+    """The way to one point from another; not known along an axis on which one of them is not."""
+    x, y, z = map(_difference, one, two)
+    return x, y, z
 
 
 def _sum(one: float | None, two: float | None) -> float | None:
     return None if one is None or two is None else one + two
 
 
-def _negative(value: float | None) -> float | None:
-    return None if value is None else -value
+def _difference(one: float | None, two: float | None) -> float | None:
+    return None if one is None or two is None else one - two

@@ -91,9 +91,8 @@ class Fields:
         return self._left(self._behind, env) if to is None else ((to, env),)
 
     def _ways(self, *to: int | None) -> set[int]:
-        if None not in to:
-            return set[int](to)  # type: ignore[arg-type]  # None is not among them
-        return self._builder.exits(self._at, [self._behind]) | {each for each in to if each is not None}
+        inside = {each for each in to if each is not None}
+        return inside if None not in to else inside | self._builder.exits(self._at, [self._behind])
 
     def _going_on(self, number: int, expressions: Expressions, to: int | None) -> None:
         ways = self._ways(to)
